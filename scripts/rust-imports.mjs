@@ -18,7 +18,8 @@ const TOKENS =
  * `words`: names in product code that may be those of imports. `testModules`: modules of tests in other files.
  * @typedef {{ file: string, module: string[], mentions: Mention[], words: Set<string>, testModules: string[] }} Source
  * Modules by line; a module uses only modules of earlier lines. No lines: every order is allowed.
- * @typedef {{ folder: string, lines: string[][] }} Order
+ * `within`: a module whose own modules these are, as in "crate/a models"; only product code keeps that order.
+ * @typedef {{ folder: string, within: string, lines: string[][] }} Order
  */
 
 const idOf = (/** @type {string[]} */ path) => path.join("::");
@@ -174,25 +175,31 @@ export function ordersOf(/** @type {string} */ text) {
     .split("\n")
     .map((line) => line.replace(/#.*/, ""))
     .filter((line) => line.trim())) {
-    if (!line.startsWith(" ")) orders.push({ folder: line.trim(), lines: [] });
-    else orders.at(-1)?.lines.push(line.split(",").map((name) => name.trim()));
+    if (!line.startsWith(" ")) {
+      const [folder = "", within = ""] = line.trim().split(/ +/);
+      orders.push({ folder, within, lines: [] });
+    } else orders.at(-1)?.lines.push(line.split(",").map((name) => name.trim()));
   }
   return orders;
 }
 
 /** Modules without a line in the order, and uses of a module on the same line or on a later one. */
 export function offencesOf(
-  /** @type {Order} */ { lines },
-  /** @type {string[]} */ files,
-  /** @type {string[]} */ uses,
+  /** @type {Order} */ { within, lines },
+  /** @type {string[]} */ allFiles,
+  /** @type {string[]} */ allUses,
 ) {
   if (lines.length === 0) return [];
-  const moduleOf = (/** @type {string} */ file) => file.replace(/(\/.*|\.rs)$/, "");
+  const inside = within ? `${within}/` : "";
+  const isRoot = (/** @type {string} */ file) => ["lib.rs", `${within}/mod.rs`].includes(file);
+  const files = allFiles.filter((file) => file.startsWith(inside));
+  const uses = allUses.filter((use) => use.split(" > ").every((file) => file.startsWith(inside)));
+  const moduleOf = (/** @type {string} */ file) => file.slice(inside.length).replace(/(\/.*|\.rs)$/, "");
   const lineOf = (/** @type {string} */ file) => lines.findIndex((names) => names.includes(moduleOf(file)));
-  const strange = files.filter((file) => file !== "lib.rs" && lineOf(file) < 0).map(moduleOf);
+  const strange = files.filter((file) => !isRoot(file) && lineOf(file) < 0).map(moduleOf);
   const against = uses.filter((use) => {
     const [from = "", to = ""] = use.split(" > ");
-    if (from === "lib.rs" || moduleOf(from) === moduleOf(to)) return false;
+    if (isRoot(from) || moduleOf(from) === moduleOf(to)) return false;
     return lineOf(to) < 0 || lineOf(from) <= lineOf(to);
   });
   return [
@@ -219,7 +226,7 @@ export function checkRustImports() {
     const files = sources.map(({ file }) => file);
     const long = texts.filter(({ text }) => linesOfCode(text) > MAX_LINES);
     const found = [
-      ...offencesOf(order, files, usesOf(sources, true)),
+      ...offencesOf(order, files, usesOf(sources, order.within === "")),
       ...circles(usesOf(sources, false)),
       ...long.map(({ file, text }) => `${file}: ${linesOfCode(text)} lines, at most ${MAX_LINES}`),
     ];

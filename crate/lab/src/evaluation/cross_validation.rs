@@ -272,6 +272,7 @@ fn trained(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use vcgpdm::models::dmp::Dmp;
     use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Sequence, TmpSettings, VariationalSettings};
     use vcgpdm::motion::{parts, samples};
 
@@ -436,16 +437,16 @@ mod tests {
     /// A model that predicts `value` in all columns.
     fn constant_model(fold: &Fold, value: f64) -> FittedModel {
         let settings = Settings::DmpRhythmic(DmpSettings { bases: 5 });
-        let FittedModel::DmpRhythmic(mut model) = fold.learner(&settings, 0).unwrap().model().unwrap() else {
-            panic!("another kind of model");
-        };
+        let mut learned = fold.learner(&settings, 0).unwrap().model().unwrap();
+        let FittedModel::Dmp(model) = &mut learned else { panic!("another kind of model") };
+        let Dmp::Rhythmic(model) = &mut **model else { panic!("a discrete DMP") };
         model.weights.fill(0.0);
         model.centre.fill(value);
         for start in &mut model.starts {
             start.spring.position.fill(value);
             start.spring.velocity.fill(0.0);
         }
-        FittedModel::DmpRhythmic(model)
+        learned
     }
 
     #[test]

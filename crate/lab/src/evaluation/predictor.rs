@@ -53,10 +53,7 @@ impl Predictor for FittedModel {
     fn forecast(&self, sequence: usize, frames: usize) -> Result<Option<Forecast>, RolloutError> {
         match self {
             FittedModel::Vcgpdm(model) => futures(model, sequence, frames).map(Some),
-            FittedModel::Map(_)
-            | FittedModel::Tmp(_)
-            | FittedModel::DmpDiscrete(_)
-            | FittedModel::DmpRhythmic(_) => Ok(None),
+            FittedModel::Map(_) | FittedModel::Tmp(_) | FittedModel::Dmp(_) => Ok(None),
         }
     }
 

@@ -20,8 +20,7 @@ pub(super) fn document<S: Subject>(trained: &Model<S>) -> Value {
         FittedModel::Vcgpdm(_) => Value::Null,
         FittedModel::Map(model) => model.to_value(),
         FittedModel::Tmp(model) => model.to_value(),
-        FittedModel::DmpDiscrete(model) => model.to_value(),
-        FittedModel::DmpRhythmic(model) => model.to_value(),
+        FittedModel::Dmp(model) => model.to_value(),
     };
     let parts = Value::list(body.layout.parts(), |spec| Value::object(part_fields::<S>(spec)));
     let sequences = Value::list(&body.sequences, |info| Value::Object(sequence_fields(info)));

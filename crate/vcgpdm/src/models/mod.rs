@@ -12,7 +12,8 @@
 
 pub(crate) mod data;
 pub mod dmp;
-pub(crate) mod fitted;
+pub(crate) mod errors;
+pub(crate) mod kinds;
 pub mod library;
 pub mod map;
 pub(crate) mod rollout;
@@ -26,38 +27,38 @@ pub use data::dataset::{Dataset, DatasetError, Source, same_body, with_bones_of}
 pub use data::movements::{Movements, Sequence};
 pub use data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 pub use data::sequences::SequenceInfo;
-pub use data::sequences::{MOST_FRAMES, Sequences, SequencesError};
-pub use fitted::body::Body;
-pub use fitted::completion::{Completion, PartCompletion};
-pub use fitted::coupled::Coupled;
-pub use fitted::fitted_model::FittedModel;
-pub use fitted::model::{Model, SeriesModel};
+pub use data::sequences::{MOST_FRAMES, Sequences};
+pub use errors::{CouplingsError, SequencesError, TrainingError};
+pub use kinds::body::Body;
+pub use kinds::completion::{Completion, PartCompletion};
+pub use kinds::coupled::Coupled;
+pub use kinds::endless::{Endless, EndlessFrames, REWINDS};
+pub use kinds::fitted_model::FittedModel;
+pub use kinds::health::{Ending, Health, PartPoses, best_to_show};
+pub use kinds::learners::Learner;
+pub use kinds::log_density::LatentLogDensity;
+pub use kinds::model::{Model, SeriesModel};
 #[doc(hidden)]
-pub use fitted::observed::ObservedClipError;
-pub use fitted::provenance::{ENGINE, Provenance};
-pub use rollout::couplings::{
-    CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights,
-};
+pub use kinds::observed::ObservedClipError;
+pub use kinds::trainer::Trainer;
+pub use rollout::couplings::{Reading, check_couplings, coupling_weight_matrix, coupling_weights};
 #[doc(hidden)]
 pub use rollout::dtw::{Score, ScoreError, dtw_mse, score_and_columns};
-pub use rollout::endless::{Endless, EndlessFrames, REWINDS};
-pub use rollout::health::{Ending, Health, PartPoses, best_to_show};
 pub use rollout::latent_dynamics::LatentDynamics;
-pub use rollout::log_density::LatentLogDensity;
 pub use rollout::pace::Pace;
 pub use rollout::request::{
     Cut, Handles, MOST_SAMPLES, PosePush, Push, Rollout, RolloutError, RolloutRequest, TEMPOS,
 };
+pub use search::Setbacks;
+pub use search::parameters::{Group, Kind, Parameters};
 pub use search::{Phase, SearchEnd};
 pub use training::cost::TrainingCost;
-pub use training::error::TrainingError;
+pub use training::interface::Training;
 pub use training::kind::ModelKind;
-pub use training::learner::Learner;
-pub use training::parameters::{Group, Kind, Parameters};
 pub use training::pose_weight::{BALANCED, POSE_WEIGHTS, POSE_WEIGHTS_TEXT, PoseWeight};
-pub use training::progress::{EndReason, Progress, Setbacks, TrainingPhase};
+pub use training::progress::{EndReason, Progress, TrainingPhase};
+pub use training::provenance::{ENGINE, Provenance};
 pub use training::settings::{
     DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, Settings,
     TmpSettings, VariationalSettings,
 };
-pub use training::trainer::Trainer;

@@ -7,7 +7,7 @@ use crate::document::read::head::{
 use crate::document::settings::read_baseline;
 use crate::document::subject::Subject;
 use crate::json::checks::count;
-use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
+use crate::models::dmp::{Dmp, DmpDiscrete, DmpRhythmic};
 use crate::models::map::MapModel;
 use crate::models::tmp::Tmp;
 use crate::models::{FittedModel, Model, ModelKind, Provenance};
@@ -41,10 +41,10 @@ pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<Model<S>, Docume
         }
         ModelKind::Tmp => FittedModel::Tmp(Box::new(Tmp::from_field(field, &columns, count)?)),
         ModelKind::DmpDiscrete => {
-            FittedModel::DmpDiscrete(Box::new(DmpDiscrete::from_field(field, &columns, count)?))
+            FittedModel::Dmp(Box::new(Dmp::Discrete(DmpDiscrete::from_field(field, &columns, count)?)))
         }
         ModelKind::DmpRhythmic => {
-            FittedModel::DmpRhythmic(Box::new(DmpRhythmic::from_field(field, &columns, count)?))
+            FittedModel::Dmp(Box::new(Dmp::Rhythmic(DmpRhythmic::from_field(field, &columns, count)?)))
         }
         // These kinds are read in vcgpdm.rs.
         ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),

@@ -3,7 +3,7 @@
 use crate::gp::linalg::stacked;
 use crate::models::data::sequences::SequenceInfo;
 use crate::models::data::warnings::{CLIP, changing_columns, constant_warning, sequence_warnings};
-use crate::models::training::error::TrainingError;
+use crate::models::errors::TrainingError;
 use crate::motion::measures::rests_from;
 use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
 use crate::motion::pose::{Encoded, PoseError, PoseMapping, RootStart};

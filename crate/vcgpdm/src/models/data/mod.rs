@@ -2,6 +2,7 @@
 
 pub(crate) mod column_mapping;
 pub(crate) mod dataset;
+pub(crate) mod json;
 pub(crate) mod movements;
 pub(crate) mod phase;
 pub(crate) mod sequences;

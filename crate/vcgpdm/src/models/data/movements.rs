@@ -3,7 +3,7 @@
 
 use crate::models::data::dataset::Dataset;
 use crate::models::data::phase::Trial;
-use crate::models::training::error::TrainingError;
+use crate::models::errors::TrainingError;
 use nalgebra::DMatrix;
 
 /// The movements that a model learns from.

@@ -2,48 +2,13 @@
 //! Each sequence has the facts about its clip.
 
 use crate::gp::Gaussians;
-use crate::plural::counted;
+use crate::models::errors::SequencesError;
 use nalgebra::DMatrix;
 use serde::Serialize;
 use std::ops::Range;
-use thiserror::Error;
 
 /// The most frames of all sequences together. Sums of frames never overflow.
 pub const MOST_FRAMES: usize = 1_000_000;
-
-/// Why sequences of these lengths cannot be trained on.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum SequencesError {
-    /// There is no sequence.
-    #[error("expected at least one sequence, found none")]
-    Empty,
-    /// The order of the dynamics is zero.
-    #[error("expected dynamics of order 1 or more, found 0")]
-    Order,
-    /// There are more frames in all than can be trained on.
-    #[error("expected at most {most} frames in all, found more")]
-    TooLong {
-        /// The limit.
-        most: usize,
-    },
-    /// A sequence is shorter than the history of a frame, or no sequence is longer, so that there is no
-    /// transition to learn from.
-    #[error("sequence {index} {}", too_few_for_order(*frames, *order))]
-    TooShort {
-        /// The sequence, counted from 0.
-        index: usize,
-        /// Its number of frames.
-        frames: usize,
-        /// Order of the dynamics.
-        order: usize,
-    },
-}
-
-/// The problem of a sequence with too few frames, to follow its name in a message.
-pub(crate) fn too_few_for_order(frames: usize, order: usize) -> String {
-    format!("has {}; dynamics of order {order} need at least {}", counted(frames, "frame"), order + 1)
-}
 
 /// The lengths T_s of the sequences, stacked to N frames, and the order p of the dynamics.
 #[derive(Clone, Debug, PartialEq, Eq)]

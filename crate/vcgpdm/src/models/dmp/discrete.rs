@@ -167,6 +167,12 @@ impl DmpDiscrete {
             },
         ))
     }
+
+    /// The number of stored numbers from which one sequence can be rolled out: weights, goal, y(0), y'(0),
+    /// start and rate of one sequence, which columns are scaled, and alpha_x.
+    pub fn stored_numbers(&self) -> usize {
+        self.weights.len() + 4 * self.goal.len() + 3
+    }
 }
 
 /// Whether column `k` goes the same way by a clear part of its range in all trials.
@@ -183,13 +189,5 @@ impl SpringStart {
     /// The springs at the first frame of `y` [T x D].
     pub(super) fn at_first_frame(y: &DMatrix<f64>) -> Self {
         Self { position: y.row(0).transpose(), velocity: Curve::new(y).first_velocity() }
-    }
-}
-
-impl DmpDiscrete {
-    /// The number of stored numbers from which one sequence can be rolled out: weights, goal, y(0), y'(0),
-    /// start and rate of one sequence, which columns are scaled, and alpha_x.
-    pub fn stored_numbers(&self) -> usize {
-        self.weights.len() + 4 * self.goal.len() + 3
     }
 }

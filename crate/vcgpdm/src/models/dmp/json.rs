@@ -2,10 +2,10 @@
 
 use crate::json::checks::{bounded_matrix, count, positive, positive_number, shape};
 use crate::json::{Field, FieldError, Value};
+use crate::models::data::json::{column_count, phase_map, phase_map_value, vector};
 use crate::models::dmp::SpringStart;
 use crate::models::dmp::discrete::{DiscreteStart, DmpDiscrete};
 use crate::models::dmp::rhythmic::{DmpRhythmic, RhythmicStart};
-use crate::models::fitted::model::{column_count, phase_map, phase_map_value, vector};
 
 const MOST_BASES: usize = 1000;
 

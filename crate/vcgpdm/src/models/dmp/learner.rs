@@ -1,18 +1,17 @@
 //! Trainings of dynamic movement primitives: one regression.
 
 use crate::gp::NumericsError;
-use crate::models::data::movements::Movements;
-use crate::models::data::movements::split_trials;
+use crate::models::data::movements::{Movements, split, split_trials};
 use crate::models::data::phase::Trial;
-use crate::models::dmp::Canonical;
 use crate::models::dmp::discrete::DmpDiscrete;
 use crate::models::dmp::rhythmic::DmpRhythmic;
-use crate::models::fitted::fitted_model::FittedModel;
-use crate::models::training::error::{TrainingError, in_range};
-use crate::models::training::learner::Learner;
-use crate::models::training::progress::{EndReason, Progress, Setbacks};
+use crate::models::dmp::{Canonical, Dmp};
+use crate::models::errors::{TrainingError, in_range};
+use crate::models::rollout::request::Handles;
+use crate::models::search::Setbacks;
+use crate::models::training::interface::Training;
+use crate::models::training::progress::{EndReason, Progress};
 use crate::models::training::settings::{DmpSettings, MOST_BASES};
-use nalgebra::DMatrix;
 
 /// A training of dynamic movement primitives in a single step.
 pub struct DmpLearner {
@@ -20,7 +19,7 @@ pub struct DmpLearner {
     columns: Vec<usize>,
     canonical: Canonical,
     bases: usize,
-    fitted: Option<FittedModel>,
+    fitted: Option<Dmp>,
     error: f64,
     reason: Option<EndReason>,
 }
@@ -42,27 +41,31 @@ impl DmpLearner {
         Ok(Self { trials, columns, canonical, bases, fitted: None, error, reason: None })
     }
 
-    fn fit(&self) -> Result<FittedModel, NumericsError> {
+    fn fit(&self) -> Result<Dmp, NumericsError> {
         let (trials, columns, bases) = (&self.trials, &self.columns, self.bases);
         Ok(match self.canonical {
-            Canonical::Discrete => {
-                FittedModel::DmpDiscrete(Box::new(DmpDiscrete::fit(trials, columns, bases)?))
-            }
-            Canonical::Rhythmic => {
-                FittedModel::DmpRhythmic(Box::new(DmpRhythmic::fit(trials, columns, bases)?))
-            }
+            Canonical::Discrete => Dmp::Discrete(DmpDiscrete::fit(trials, columns, bases)?),
+            Canonical::Rhythmic => Dmp::Rhythmic(DmpRhythmic::fit(trials, columns, bases)?),
         })
     }
 
+    /// The model; before the step, or after a step that failed, it is fitted here to return the error.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the regression cannot be factorised.
+    pub fn fitted(&self) -> Result<Dmp, NumericsError> {
+        self.fitted.clone().map_or_else(|| self.fit(), Ok)
+    }
+
     /// Mean squared difference between the whole training trials and the model's rollouts of them.
-    fn training_error(&self, model: &FittedModel) -> f64 {
+    fn training_error(&self, model: &Dmp) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (s, trial) in self.trials.iter().enumerate().filter(|(_, trial)| trial.whole) {
-            let Ok(parts) = model.rollout(s, trial.y.nrows()) else { return f64::INFINITY };
-            let mut at = 0;
-            for part in parts {
-                let actual: DMatrix<f64> = trial.y.columns(at, part.ncols()).into_owned();
-                at += part.ncols();
+            let Ok(parts) = model.rollout(s, trial.y.nrows(), &Handles::default()) else {
+                return f64::INFINITY;
+            };
+            for (part, actual) in parts.iter().zip(split(&trial.y, &self.columns)) {
                 sum += (part - actual).norm_squared();
             }
             count += trial.y.len() as f64;
@@ -71,7 +74,7 @@ impl DmpLearner {
     }
 }
 
-impl Learner for DmpLearner {
+impl Training for DmpLearner {
     fn step(&mut self) -> Progress {
         if self.reason.is_none() {
             match self.fit() {
@@ -102,10 +105,5 @@ impl Learner for DmpLearner {
             reason: self.reason.clone(),
             fraction: if done { 1.0 } else { 0.0 },
         }
-    }
-
-    fn model(&self) -> Result<FittedModel, NumericsError> {
-        // Before the step, or after a step that failed, fit here to return the error.
-        self.fitted.clone().map_or_else(|| self.fit(), Ok)
     }
 }

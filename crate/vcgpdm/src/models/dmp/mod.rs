@@ -31,7 +31,11 @@ pub use discrete::{DiscreteStart, DmpDiscrete};
 pub use learner::DmpLearner;
 pub use rhythmic::{DmpRhythmic, RhythmicStart};
 
-use nalgebra::DVector;
+use crate::json::Value;
+use crate::models::data::movements::split;
+use crate::models::rollout::request::{Handles, RolloutError};
+use crate::models::training::kind::ModelKind;
+use nalgebra::{DMatrix, DVector};
 
 /// Width of the bases as a share of the distance between neighbours.
 const OVERLAP: f64 = 0.65;
@@ -43,6 +47,60 @@ pub enum Canonical {
     Discrete,
     /// Around a centre.
     Rhythmic,
+}
+
+/// Fitted dynamic movement primitives of either kind.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dmp {
+    /// Towards a goal.
+    Discrete(DmpDiscrete),
+    /// Around a centre.
+    Rhythmic(DmpRhythmic),
+}
+
+impl Dmp {
+    /// The kind of model.
+    pub fn kind(&self) -> ModelKind {
+        match self {
+            Dmp::Discrete(_) => ModelKind::DmpDiscrete,
+            Dmp::Rhythmic(_) => ModelKind::DmpRhythmic,
+        }
+    }
+
+    /// The movement from the start of a training sequence, under `handles` of centred columns in the order of the
+    /// parts: the centred columns of each part [frames x D_i].
+    ///
+    /// # Errors
+    ///
+    /// When there is no such sequence, or the number of frames is out of its range.
+    pub fn rollout(
+        &self,
+        sequence: usize,
+        frames: usize,
+        handles: &Handles,
+    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        let (path, columns) = match self {
+            Dmp::Discrete(model) => (model.path(sequence, frames, handles)?, &model.columns),
+            Dmp::Rhythmic(model) => (model.path(sequence, frames, handles)?, &model.columns),
+        };
+        Ok(split(&path, columns))
+    }
+
+    /// The number of stored numbers from which one sequence can be rolled out.
+    pub fn stored_numbers(&self) -> usize {
+        match self {
+            Dmp::Discrete(model) => model.stored_numbers(),
+            Dmp::Rhythmic(model) => model.stored_numbers(),
+        }
+    }
+
+    /// The model as JSON.
+    pub(crate) fn to_value(&self) -> Value {
+        match self {
+            Dmp::Discrete(model) => model.to_value(),
+            Dmp::Rhythmic(model) => model.to_value(),
+        }
+    }
 }
 
 /// Position and velocity at the first frame of a sequence.

@@ -135,6 +135,12 @@ impl DmpRhythmic {
             },
         ))
     }
+
+    /// The number of stored numbers from which one sequence can be rolled out: weights, centre, y(0) and
+    /// y'(0) of one sequence, its start, rate and amplitude, and the concentration.
+    pub fn stored_numbers(&self) -> usize {
+        self.weights.len() + 3 * self.centre.len() + 4
+    }
 }
 
 impl RhythmicStart {
@@ -164,13 +170,5 @@ impl RhythmicStart {
                 (self.map.start, self.amplitude) = (start, amplitude);
             }
         }
-    }
-}
-
-impl DmpRhythmic {
-    /// The number of stored numbers from which one sequence can be rolled out: weights, centre, y(0) and
-    /// y'(0) of one sequence, its start, rate and amplitude, and the concentration.
-    pub fn stored_numbers(&self) -> usize {
-        self.weights.len() + 3 * self.centre.len() + 4
     }
 }

@@ -1,11 +1,12 @@
 //! Reproduction of movements, other goals, other speeds, stable cycles.
 
 use super::*;
+use crate::models::Learner;
 use crate::models::data::movements::{Movements, Sequence};
 use crate::models::data::phase::Trial;
 use crate::models::rollout::request::{Handles, PosePush};
+use crate::models::training::interface::Training;
 use crate::models::training::kind::ModelKind;
-use crate::models::training::learner::Learner;
 use crate::models::training::settings::DmpSettings;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;

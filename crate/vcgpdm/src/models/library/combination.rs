@@ -4,7 +4,7 @@ use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, symmetric};
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::tall::product;
-use crate::models::library::combination_error::CombinationError;
+use crate::models::errors::CombinationError;
 use crate::models::library::information::Information;
 use crate::models::library::{LearnedMovement, Library};
 use crate::models::rollout::couplings::{check_couplings, coupling_weights};

@@ -2,16 +2,16 @@
 
 use crate::models::data::dataset::DatasetError;
 use crate::models::data::sequences::SequenceInfo;
+use crate::models::errors::{TrainingError, in_range};
+use crate::models::kinds::trainer::run_with;
 use crate::models::library::{
     CombinationError, CouplingsFrom, EncodedClip, LearnedMovement, Library, LibraryError, TrainedLibrary,
 };
 use crate::models::search::ascent::Phase;
-use crate::models::training::error::{TrainingError, in_range};
+use crate::models::search::parameters::Group;
 use crate::models::training::latents::check_training;
-use crate::models::training::parameters::Group;
 use crate::models::training::pose_weight::PoseWeight;
 use crate::models::training::progress::Progress;
-use crate::models::training::trainer::run_with;
 use crate::models::variational::{Objective, Params, VariationalTrainer};
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;

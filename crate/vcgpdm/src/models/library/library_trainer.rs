@@ -2,14 +2,14 @@
 
 use crate::gp::NumericsError;
 use crate::models::data::dataset::{Dataset, DatasetError};
-use crate::models::fitted::body::Body;
+use crate::models::errors::TrainingError;
+use crate::models::kinds::body::Body;
+use crate::models::kinds::trainer::{run_with, with_rounds};
 use crate::models::library::own_rollouts::LibraryRollouts;
 use crate::models::library::plan::LibraryPlan;
 use crate::models::library::{Library, TrainedLibrary};
-use crate::models::training::error::TrainingError;
 use crate::models::training::progress::Progress;
 use crate::models::training::settings::VariationalSettings;
-use crate::models::training::trainer::{run_with, with_rounds};
 use crate::models::variational::VariationalTrainer;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;

@@ -9,7 +9,6 @@
 //! are.
 
 mod combination;
-mod combination_error;
 mod coupling_trainer;
 mod information;
 mod library_trainer;
@@ -35,13 +34,13 @@ use crate::models::variational::{
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
-pub use combination_error::CombinationError;
+pub use crate::models::errors::{CombinationError, PlanError};
 pub use coupling_trainer::{CouplingTrainer, MOST_ITERATIONS};
 pub use library_trainer::LibraryTrainer;
 pub use merge::{MergeError, Misfit};
 pub use origin::{Excerpt, FramesFrom, Origin, Relearned};
 pub use part_motion::{Leader, PartMotion};
-pub use plan::{LibraryPlan, PlanError, PlannedMovement};
+pub use plan::{LibraryPlan, PlannedMovement};
 pub use recognition::{Recogniser, Recognition, RecognitionError, Segment};
 pub use trained_library::{EncodedClip, LibraryError, TrainedLibrary};
 pub use walk::WalkError;

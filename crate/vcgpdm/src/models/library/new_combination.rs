@@ -1,7 +1,7 @@
 //! Default couplings and start latents of a new combination.
 
 use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, Library};
-use crate::models::training::parameters::LARGEST_COUPLING;
+use crate::models::search::parameters::LARGEST_COUPLING;
 use nalgebra::DMatrix;
 
 impl Library {

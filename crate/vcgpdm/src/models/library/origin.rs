@@ -1,7 +1,7 @@
 //! Origins of primitives, and excerpts of movements that are not in their library.
 
 use crate::models::data::sequences::SequenceInfo;
-use crate::models::fitted::provenance::Provenance;
+use crate::models::training::provenance::Provenance;
 use nalgebra::DMatrix;
 use serde::Serialize;
 

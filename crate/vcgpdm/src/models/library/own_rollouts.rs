@@ -3,7 +3,7 @@
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, symmetric};
 use crate::gp::tall::product;
-use crate::models::fitted::own_rollouts::{OwnRollouts, is_no_worse};
+use crate::models::kinds::own_rollouts::{OwnRollouts, is_no_worse};
 use crate::models::library::{Library, TrainedLibrary};
 use crate::models::variational::FittedExpert;
 use std::sync::OnceLock;
@@ -121,10 +121,10 @@ impl Library {
 mod tests {
     use super::*;
     use crate::models::data::dataset::Dataset;
-    use crate::models::fitted::own_rollouts::tests::judged;
+    use crate::models::kinds::health::Ending;
+    use crate::models::kinds::own_rollouts::tests::judged;
     use crate::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
     use crate::models::rollout::couplings::Reading;
-    use crate::models::rollout::health::Ending;
     use crate::models::training::settings::VariationalSettings;
     use crate::motion::{parts, samples};
     use approx::assert_relative_eq;

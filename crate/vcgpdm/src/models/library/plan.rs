@@ -1,28 +1,6 @@
 //! Plan of a library: its movements, and the parts that use one primitive in all of them.
 
-use thiserror::Error;
-
-/// Why a plan is not valid.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum PlanError {
-    /// A movement has no name, or a name with other characters than those allowed.
-    #[error(
-        "expected a name for each movement, of letters, digits, spaces, \"-\", \"_\" or \".\", found {0:?}"
-    )]
-    Name(String),
-    /// Two movements have the same name.
-    #[error("expected a name of its own for each movement, found {0:?} twice")]
-    Twice(String),
-    /// The plan does not say of each part whether its primitive is shared.
-    #[error("expected shared or not for each of {expected} parts, found {found}")]
-    Parts {
-        /// Number of parts.
-        expected: usize,
-        /// Number of parts of the plan.
-        found: usize,
-    },
-}
+use crate::models::errors::PlanError;
 
 /// A movement to be learned.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -19,7 +19,7 @@
 //! by the frames of a window. Window, stay, starting points, `MIXED` and this division are choices of ours.
 
 use crate::models::data::dataset::DatasetError;
-use crate::models::fitted::model::Model;
+use crate::models::kinds::model::Model;
 use crate::models::library::movement_chain::MovementChain;
 use crate::models::library::{CombinationError, TrainedLibrary};
 use crate::models::rollout::request::RolloutRequest;

@@ -1,6 +1,6 @@
 //! Some primitives of a library, as a library of their own.
 
-use crate::models::fitted::body::Body;
+use crate::models::kinds::body::Body;
 use crate::models::library::origin::{Excerpt, Origin};
 use crate::models::library::{
     CombinationError, LearnedMovement, Library, LibraryExpert, Primitive, TrainedLibrary,

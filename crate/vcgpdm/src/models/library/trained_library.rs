@@ -2,12 +2,12 @@
 
 use crate::models::data::dataset::DatasetError;
 use crate::models::data::sequences::SequenceInfo;
-use crate::models::fitted::body::Body;
-use crate::models::fitted::fitted_model::FittedModel;
-use crate::models::fitted::model::Model;
-use crate::models::fitted::provenance::Provenance;
+use crate::models::kinds::body::Body;
+use crate::models::kinds::fitted_model::FittedModel;
+use crate::models::kinds::model::Model;
 use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, Library};
 use crate::models::rollout::request::RolloutError;
+use crate::models::training::provenance::Provenance;
 use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseError;
 use crate::motion::{BodyMismatch, Clip, ClipError};

@@ -1,8 +1,9 @@
 //! Motions without an end of combinations of primitives, which are exchanged on the way.
 
+use crate::models::errors::CouplingsError;
+use crate::models::kinds::endless::Endless;
 use crate::models::library::{CombinationError, Misfit, TrainedLibrary};
-use crate::models::rollout::couplings::{CouplingsError, Reading};
-use crate::models::rollout::endless::Endless;
+use crate::models::rollout::couplings::Reading;
 use crate::models::rollout::request::RolloutError;
 use nalgebra::DMatrix;
 use std::sync::Arc;

@@ -1,7 +1,7 @@
 //! Parameters of a GPDM or CGPDM with point latents.
 
 use crate::gp::Kernel;
-use crate::models::training::parameters::{ALPHA, BETA, Kind, LAMBDA, MU, Parameters, SIGNAL};
+use crate::models::search::parameters::{ALPHA, BETA, Kind, LAMBDA, MU, Parameters, SIGNAL};
 use nalgebra::DMatrix;
 use std::slice::{from_mut, from_ref};
 

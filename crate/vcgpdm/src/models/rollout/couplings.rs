@@ -4,38 +4,9 @@
 //! 2018, equation 1): alpha^i = 1 / sum_j (1 / alpha^{ji}) and w_{ji} = alpha^i / alpha^{ji}. The larger the
 //! variance, the smaller the weight of the source.
 
+use crate::models::errors::CouplingsError;
 use nalgebra::DMatrix;
 use serde::Deserialize;
-use thiserror::Error;
-
-/// Why couplings do not fit a model.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum CouplingsError {
-    /// The couplings are not one for each pair of parts.
-    #[error("expected coupling variances for {parts} x {parts} parts, found {rows} x {columns}")]
-    Shape {
-        /// Number of parts M.
-        parts: usize,
-        /// Rows found.
-        rows: usize,
-        /// Columns found.
-        columns: usize,
-    },
-    /// A coupling is not a positive variance.
-    #[error(
-        "expected a positive coupling variance from part {source_part} to part {target}, 1e-100 to 1e100, \
-         found {value:?}"
-    )]
-    Variance {
-        /// The source part, counted from 0.
-        source_part: usize,
-        /// The target part, counted from 0.
-        target: usize,
-        /// The value found.
-        value: f64,
-    },
-}
 
 /// The effect of changed couplings on the experts: they stay as learned, or they are inferred again from the
 /// same data.

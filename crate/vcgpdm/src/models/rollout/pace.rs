@@ -50,7 +50,7 @@ impl Pace {
     }
 
     /// The pace of these poses beside that of the clips, in whose frames `begins` a sequence begins.
-    pub(super) fn of(poses: &Poses, clips: &Poses, begins: &[usize], frame_time: f64) -> Pace {
+    pub(in crate::models) fn of(poses: &Poses, clips: &Poses, begins: &[usize], frame_time: f64) -> Pace {
         let middle = poses.frames() / 2;
         let halves = [0..middle, middle..poses.frames()].map(|half| poses.steps(half, &[]));
         let [first, second] = halves;

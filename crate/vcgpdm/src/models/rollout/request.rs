@@ -3,7 +3,8 @@
 use crate::gp::NumericsError;
 use crate::json::rows;
 use crate::models::data::sequences::MOST_FRAMES;
-use crate::models::rollout::couplings::{CouplingsError, Reading};
+use crate::models::errors::CouplingsError;
+use crate::models::rollout::couplings::Reading;
 use crate::motion::pose::PoseError;
 use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;

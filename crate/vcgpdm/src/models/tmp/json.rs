@@ -2,8 +2,8 @@
 
 use crate::json::checks::{bounded_matrix, count, positive, positive_number, shape};
 use crate::json::{Field, FieldError, Value};
+use crate::models::data::json::{column_count, phase_map, phase_map_value, vector};
 use crate::models::data::phase::PhaseAxis;
-use crate::models::fitted::model::{column_count, phase_map, phase_map_value, vector};
 use crate::models::tmp::{Tmp, TrialWeights};
 use nalgebra::DMatrix;
 

@@ -5,14 +5,14 @@ use crate::gp::linalg::counting_jittered;
 use crate::models::data::movements::Movements;
 use crate::models::data::movements::split_trials;
 use crate::models::data::phase::{Alignment, PhaseMap, Trial};
-use crate::models::fitted::fitted_model::FittedModel;
+use crate::models::errors::{TrainingError, in_range};
+use crate::models::search::Setbacks;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::partial_trial::PartialTrial;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::tmp::run::Run;
-use crate::models::training::error::{TrainingError, in_range};
-use crate::models::training::learner::Learner;
-use crate::models::training::progress::{EndReason, Progress, Setbacks};
+use crate::models::training::interface::Training;
+use crate::models::training::progress::{EndReason, Progress};
 use crate::models::training::settings::{MOST_PRIMITIVES, TmpSettings};
 
 /// The sweeps of a number of primitives end when [`EVERY`] of them raise the bound by less than this share.
@@ -242,7 +242,7 @@ impl TmpLearner {
     }
 }
 
-impl Learner for TmpLearner {
+impl Training for TmpLearner {
     fn step(&mut self) -> Progress {
         if self.reason.is_none() {
             self.iteration += 1;
@@ -278,10 +278,6 @@ impl Learner for TmpLearner {
             reason: self.reason.clone(),
             fraction: if done { 1.0 } else { share.min(0.99) },
         }
-    }
-
-    fn model(&self) -> Result<FittedModel, NumericsError> {
-        Ok(FittedModel::Tmp(Box::new(self.fitted()?)))
     }
 }
 

@@ -1,13 +1,14 @@
 //! The bound against quadrature, its rise in every update, and the learned primitives.
 
 use super::*;
+use crate::models::Learner;
 use crate::models::data::movements::{Movements, Sequence};
 use crate::models::data::phase::Alignment;
 use crate::models::rollout::request::{Handles, PosePush};
 use crate::models::tmp::learner::Limits;
 use crate::models::tmp::partial_trial::PartialTrial;
 use crate::models::tmp::posterior::Posterior;
-use crate::models::training::learner::Learner;
+use crate::models::training::interface::Training;
 use crate::models::training::progress::EndReason;
 use crate::models::training::settings::TmpSettings;
 use approx::assert_relative_eq;

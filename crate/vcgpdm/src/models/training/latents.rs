@@ -2,7 +2,7 @@
 
 use crate::gp::Kernel;
 use crate::models::data::sequences::Sequences;
-use crate::models::training::error::{TrainingError, in_range};
+use crate::models::errors::{TrainingError, in_range};
 use crate::models::training::settings::MOST_DIMENSIONS;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rand_chacha::ChaCha8Rng;

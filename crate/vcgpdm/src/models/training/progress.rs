@@ -1,38 +1,35 @@
 //! Progress of a training of any kind of model, and why it ended.
 
 use crate::gp::NumericsError;
-use crate::models::variational::BoundTerms;
-use crate::plural::counted;
-use serde::{Serialize, Serializer};
+use crate::models::search::Setbacks;
+use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
 
-/// Numerical failures that a training survived.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[non_exhaustive]
+/// The terms of the bound, in nats.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
-pub struct Setbacks {
-    /// Factorisations of a covariance that failed, and were tried again with jitter on its diagonal.
-    pub jittered: usize,
-    /// Evaluations that gave no finite number even so: the search turned back there.
-    pub turned_back: usize,
+pub struct BoundTerms {
+    /// The pose map of each part.
+    pub kinematics: Vec<f64>,
+    /// The dynamics into each part.
+    pub dynamics: Vec<f64>,
+    /// The prior of the first frames.
+    pub initial: f64,
+    /// The entropy of q(x) over all frames.
+    pub entropy: f64,
 }
 
-impl Setbacks {
-    /// Whether there were any.
-    pub fn any(self) -> bool {
-        self != Self::default()
+impl BoundTerms {
+    /// The "dynamics ELBO" of Knopp et al. (2019, section 4.3): the bound without the pose maps. They found that it
+    /// predicts how natural people find the walks of a model, and that the terms of the pose maps do not.
+    pub fn dynamics_elbo(&self) -> f64 {
+        self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
     }
-}
 
-impl fmt::Display for Setbacks {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self { jittered, turned_back } = *self;
-        write!(
-            f,
-            "{} needed jitter on the diagonal, and the search turned back from {} that gave no finite number",
-            counted(jittered, "covariance"),
-            counted(turned_back, "point")
-        )
+    /// The bound on the log evidence.
+    pub fn total(&self) -> f64 {
+        self.kinematics.iter().sum::<f64>() + self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
     }
 }
 

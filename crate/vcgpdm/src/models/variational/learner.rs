@@ -2,11 +2,11 @@
 
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
-use crate::models::fitted::fitted_model::FittedModel;
-use crate::models::training::error::TrainingError;
-use crate::models::training::learner::Learner;
+use crate::models::errors::TrainingError;
+use crate::models::training::interface::Training;
 use crate::models::training::progress::Progress;
 use crate::models::training::settings::VariationalSettings;
+use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::trainer::VariationalTrainer;
 use nalgebra::DMatrix;
 
@@ -29,9 +29,18 @@ impl VariationalLearner {
         let lengths = movements.lengths();
         Ok(Self { trainer: VariationalTrainer::new(movements.y, lengths, settings, seed)? })
     }
+
+    /// The model of the best bound so far.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the model cannot be factorised.
+    pub fn fitted(&self) -> Result<Vcgpdm, NumericsError> {
+        self.trainer.model()
+    }
 }
 
-impl Learner for VariationalLearner {
+impl Training for VariationalLearner {
     fn step(&mut self) -> Progress {
         self.trainer.step()
     }
@@ -56,10 +65,6 @@ impl Learner for VariationalLearner {
     fn notices(&self) -> &[String] {
         self.trainer.notices()
     }
-
-    fn model(&self) -> Result<FittedModel, NumericsError> {
-        Ok(FittedModel::Vcgpdm(Box::new(self.trainer.model()?)))
-    }
 }
 
 #[cfg(test)]
@@ -67,6 +72,7 @@ mod tests {
     use super::*;
     use crate::models::data::movements::Sequence;
     use crate::models::training::kind::ModelKind;
+    use crate::models::{FittedModel, Learner};
 
     fn movements() -> Movements {
         let wave = |lag: f64| {

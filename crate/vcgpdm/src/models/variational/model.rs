@@ -6,7 +6,8 @@ use crate::models::rollout::couplings::{Reading, check_couplings, coupling_weigh
 use crate::models::rollout::latent_dynamics::LatentDynamics;
 use crate::models::rollout::request::{Handles, RolloutError, RolloutRequest, check_frames};
 use crate::models::training::kind::ModelKind;
-use crate::models::variational::elbo::{BoundTerms, DynamicsSums, Objective, stack_offsets};
+use crate::models::training::progress::BoundTerms;
+use crate::models::variational::elbo::{DynamicsSums, Objective, stack_offsets};
 use crate::models::variational::maps::{FittedExpert, FittedMaps, PoseMap};
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;

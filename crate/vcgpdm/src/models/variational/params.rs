@@ -1,7 +1,7 @@
 //! The named parameters of the vCGPDM.
 
 use crate::gp::{Gaussians, Kernel};
-use crate::models::training::parameters::{ALPHA, BETA, IPS, Kind, LAMBDA, MU, Parameters, S, SIGNAL};
+use crate::models::search::parameters::{ALPHA, BETA, IPS, Kind, LAMBDA, MU, Parameters, S, SIGNAL};
 use nalgebra::DMatrix;
 use std::ops::Range;
 use std::slice::{from_mut, from_ref};
@@ -111,7 +111,7 @@ impl Parameters for Params {
 
 #[cfg(test)]
 mod tests {
-    use crate::models::training::parameters::Parameters;
+    use crate::models::search::parameters::Parameters;
     use crate::models::variational::testing::random_case;
     use approx::assert_relative_eq;
 

@@ -5,56 +5,7 @@
 //! and one primitive for each part.
 
 use crate::models::data::sequences::Sequences;
-use thiserror::Error;
-
-/// Why primitives and movements do not fit each other.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum RepertoireError {
-    /// There is nothing to learn from.
-    #[error("expected at least one movement, found none")]
-    NoMovement,
-    /// The movements do not have all the sequences between them.
-    #[error("expected movements of {expected} sequences in all, one or more each, found {found}")]
-    Sequences {
-        /// Sequences there are.
-        expected: usize,
-        /// Sequences of the movements, as far as they were counted.
-        found: usize,
-    },
-    /// A primitive belongs to a part that is not there.
-    #[error("expected primitive {primitive} to belong to a part from 0 to {}, found {found}", parts.saturating_sub(1))]
-    Part {
-        /// Which primitive, counted from 0.
-        primitive: usize,
-        /// Parts there are.
-        parts: usize,
-        /// Its part, counted from 0.
-        found: usize,
-    },
-    /// A movement does not name one primitive for each part.
-    #[error("expected movement {movement} to name a primitive for each of {parts} parts, found {found}")]
-    Uses {
-        /// Which movement, counted from 0.
-        movement: usize,
-        /// Parts there are.
-        parts: usize,
-        /// How many it names.
-        found: usize,
-    },
-    /// A part uses a primitive that is not its own.
-    #[error(
-        "expected movement {movement} to give part {part} a primitive of that part, found primitive {found}"
-    )]
-    Primitive {
-        /// Which movement, counted from 0.
-        movement: usize,
-        /// Which part, counted from 0.
-        part: usize,
-        /// The primitive it names, counted from 0.
-        found: usize,
-    },
-}
+use crate::models::errors::RepertoireError;
 
 /// One movement: the place of its sequences, and the primitive of each part.
 #[derive(Clone, Debug, PartialEq, Eq)]

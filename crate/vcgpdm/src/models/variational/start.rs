@@ -4,8 +4,8 @@
 use crate::gp::linalg::stacked;
 use crate::gp::{Gaussians, Kernel};
 use crate::models::data::sequences::Sequences;
+use crate::models::search::parameters::SMALLEST_S;
 use crate::models::training::latents::{STAND_IN, starting_couplings, starting_dynamics, starting_pose};
-use crate::models::training::parameters::SMALLEST_S;
 use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::first_latents::first_latents;
 use crate::models::variational::params::{Expert, Params, PartParams};

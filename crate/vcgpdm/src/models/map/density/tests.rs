@@ -1,6 +1,6 @@
 use super::*;
 use crate::models::map::params::MapPart;
-use crate::models::training::parameters::Parameters;
+use crate::models::search::parameters::Parameters;
 use crate::models::variational::testing::random_case;
 use approx::assert_relative_eq;
 

@@ -3,17 +3,16 @@
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
 use crate::models::data::sequences::Sequences;
-use crate::models::fitted::fitted_model::FittedModel;
+use crate::models::errors::TrainingError;
 use crate::models::map::density::{LogDensity, MapTerms};
 use crate::models::map::model::MapModel;
 use crate::models::map::params::{MapParams, MapPart};
 use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
-use crate::models::training::error::TrainingError;
+use crate::models::search::parameters::Group;
+use crate::models::training::interface::Training;
 use crate::models::training::latents::{
     check_training, principal_components, starting_couplings, starting_dynamics, starting_pose,
 };
-use crate::models::training::learner::Learner;
-use crate::models::training::parameters::Group;
 use crate::models::training::progress::{EndReason, Progress};
 use crate::models::training::settings::MapSettings;
 use nalgebra::DMatrix;
@@ -143,7 +142,7 @@ fn starting_point(
     MapParams { parts, dynamics, linear, alpha: starting_couplings(m) }
 }
 
-impl Learner for MapLearner {
+impl Training for MapLearner {
     fn step(&mut self) -> Progress {
         self.ascent.step();
         self.progress()
@@ -167,10 +166,6 @@ impl Learner for MapLearner {
             }),
             fraction: ascent.fraction(),
         }
-    }
-
-    fn model(&self) -> Result<FittedModel, NumericsError> {
-        Ok(FittedModel::Map(Box::new(self.fitted()?)))
     }
 }
 

@@ -1,4 +1,5 @@
 use super::*;
+use crate::models::Learner;
 use crate::models::data::movements::Sequence;
 use crate::models::training::kind::ModelKind;
 use nalgebra::DMatrix;

@@ -3,9 +3,9 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::counting_jittered;
+use crate::models::search::Setbacks;
 use crate::models::search::optimizer::Optimizer;
-use crate::models::training::parameters::{Group, Parameters};
-use crate::models::training::progress::Setbacks;
+use crate::models::search::parameters::{Group, Parameters};
 use serde::Serialize;
 use std::collections::VecDeque;
 

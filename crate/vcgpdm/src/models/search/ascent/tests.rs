@@ -1,6 +1,6 @@
 use super::*;
-use crate::models::training::parameters::{BETA, Kind, MU};
-use crate::models::training::progress::Setbacks;
+use crate::models::search::Setbacks;
+use crate::models::search::parameters::{BETA, Kind, MU};
 
 /// Two unbounded parameters and a positive one.
 #[derive(Clone)]

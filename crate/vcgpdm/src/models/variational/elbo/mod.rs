@@ -16,13 +16,13 @@ use crate::elementary::Elementary;
 use crate::gp::bound::InducingPosterior;
 use crate::gp::psi::{PairWorkspace, Purpose};
 use crate::gp::{Gaussians, NumericsError};
+use crate::models::training::progress::BoundTerms;
 use crate::models::variational::params::Params;
 use dynamics::Dynamics;
 use kinematics::Kinematics;
 use nalgebra::DMatrix;
 pub use objective::{Objective, StoredMaps};
 use std::f64::consts::TAU;
-pub use sums::BoundTerms;
 pub use sums::{DynamicsSums, stack_offsets};
 
 /// The optimal posteriors of all inducing outputs.

@@ -4,7 +4,7 @@ use crate::gp::outputs::Outputs;
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::models::data::sequences::Sequences;
 use crate::models::training::pose_weight::PoseWeight;
-use crate::models::variational::elbo::sums::BoundTerms;
+use crate::models::training::progress::BoundTerms;
 use crate::models::variational::params::Params;
 use crate::models::variational::repertoire::Repertoire;
 use nalgebra::DMatrix;

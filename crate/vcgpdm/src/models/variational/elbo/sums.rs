@@ -1,8 +1,7 @@
-//! The sums over rows that q(u) needs, under any coupling; the covariance of experts; the terms of the bound.
+//! The sums over rows that q(u) needs, under any coupling; the covariance of experts.
 
 use crate::gp::kernel::KernelAdjoint;
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
 
 /// The sums over t that q(u) of one target part needs, under any coupling: psi2 blocks and psi1^T mu without
 /// weights.
@@ -76,33 +75,5 @@ impl ExpertCovariance {
             k_adjoint: DMatrix::zeros(ips, ips),
             kernel_adjoint: KernelAdjoint::zeros(ips, dims),
         }
-    }
-}
-
-/// The terms of the bound, in nats.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
-pub struct BoundTerms {
-    /// The pose map of each part.
-    pub kinematics: Vec<f64>,
-    /// The dynamics into each part.
-    pub dynamics: Vec<f64>,
-    /// The prior of the first frames.
-    pub initial: f64,
-    /// The entropy of q(x) over all frames.
-    pub entropy: f64,
-}
-
-impl BoundTerms {
-    /// The "dynamics ELBO" of Knopp et al. (2019, section 4.3): the bound without the pose maps. They found that it
-    /// predicts how natural people find the walks of a model, and that the terms of the pose maps do not.
-    pub fn dynamics_elbo(&self) -> f64 {
-        self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
-    }
-
-    /// The bound on the log evidence.
-    pub fn total(&self) -> f64 {
-        self.kinematics.iter().sum::<f64>() + self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
     }
 }

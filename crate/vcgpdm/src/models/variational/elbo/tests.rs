@@ -1,4 +1,4 @@
-use crate::models::training::parameters::Parameters;
+use crate::models::search::parameters::Parameters;
 use crate::models::training::pose_weight::PoseWeight;
 use crate::models::variational::elbo::Objective;
 use crate::models::variational::params::Params;

@@ -150,7 +150,7 @@ fn run(threads: usize, tasks: Vec<Task>) -> Result<(), NumericsError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::training::parameters::Parameters;
+    use crate::models::search::parameters::Parameters;
     use crate::models::variational::repertoire::Repertoire;
     use crate::models::variational::testing::random_case;
 

@@ -3,20 +3,16 @@
 mod reduction;
 
 use crate::gp::NumericsError;
-use crate::models::data::column_mapping::ColumnMapping;
-use crate::models::data::dataset::Dataset;
-use crate::models::fitted::body::Body;
-use crate::models::fitted::fitted_model::FittedModel;
-use crate::models::fitted::model::Model;
-use crate::models::fitted::provenance::{ENGINE, Provenance};
+use crate::models::errors::{TrainingError, in_range};
 use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
-use crate::models::training::error::{TrainingError, in_range};
+use crate::models::search::parameters::{Group, LARGEST_COUPLING, Parameters};
 use crate::models::training::latents::{check_dimensions, check_training};
-use crate::models::training::parameters::{Group, LARGEST_COUPLING, Parameters};
-use crate::models::training::pose_weight::{POSE_WEIGHTS, PoseWeight};
+use crate::models::training::pose_weight::{POSE_WEIGHTS, POSE_WEIGHTS_TEXT, PoseWeight};
+use crate::models::training::progress::BoundTerms;
 use crate::models::training::progress::{EndReason, Progress, TrainingPhase};
+use crate::models::training::provenance::{ENGINE, Provenance};
 use crate::models::training::settings::{MOST_INDUCING, Settings, VariationalSettings};
-use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
+use crate::models::variational::elbo::{Objective, Workspace};
 use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::Params;
 use crate::models::variational::repertoire::Repertoire;
@@ -261,20 +257,6 @@ impl VariationalTrainer {
         self.ascent.search().target.objective.clone()
     }
 
-    /// The trained model of the best bound so far, on the data set that this training began with.
-    ///
-    /// # Errors
-    ///
-    /// When a covariance of the model cannot be factorised.
-    pub fn finish<S: ColumnMapping>(&self, dataset: &Dataset<S>) -> Result<Model<S>, NumericsError> {
-        let provenance = match dataset.y.len() {
-            1 => self.provenance(dataset.frames_per_second).of_one_part(),
-            _ => self.provenance(dataset.frames_per_second),
-        };
-        let fitted = FittedModel::Vcgpdm(Box::new(self.model()?));
-        Ok(Model { fitted, body: Body::new(dataset), provenance })
-    }
-
     /// The model of the best bound so far.
     ///
     /// # Errors
@@ -310,7 +292,7 @@ fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
     in_range("the number of pose inducing points", settings.pose_ips, MOST_INDUCING)?;
     match settings.pose_weight {
         PoseWeight::Fixed(found) if !POSE_WEIGHTS.contains(&found) => {
-            Err(TrainingError::PoseWeight { found })
+            Err(TrainingError::PoseWeight { expected: POSE_WEIGHTS_TEXT, found })
         }
         PoseWeight::Fixed(_) | PoseWeight::Balanced => Ok(()),
     }

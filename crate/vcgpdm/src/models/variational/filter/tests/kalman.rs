@@ -12,7 +12,8 @@
 use crate::gp::Kernel;
 use crate::models::rollout::couplings::Reading;
 use crate::models::training::pose_weight::PoseWeight;
-use crate::models::variational::elbo::{BoundTerms, DynamicsSums};
+use crate::models::training::progress::BoundTerms;
+use crate::models::variational::elbo::DynamicsSums;
 use crate::models::variational::maps::{FittedExpert, PoseMap};
 use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::moments::{Belief, LatentMoments};

@@ -1,8 +1,8 @@
 //! A recording of which a model observes some parts and infers the others.
 
 use crate::models::data::dataset::DatasetError;
-use crate::models::fitted::body::Body;
-use crate::models::fitted::coupled::Coupled;
+use crate::models::kinds::body::Body;
+use crate::models::kinds::coupled::Coupled;
 use crate::models::rollout::request::RolloutRequest;
 use crate::models::variational::{CompletionScore, LatentMoments, ObservationError};
 use crate::motion::Clip;

@@ -4,16 +4,16 @@ use crate::gp::NumericsError;
 use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::data::dataset::{Dataset, DatasetError};
 use crate::models::data::movements::Movements;
-use crate::models::fitted::body::Body;
-use crate::models::fitted::fitted_model::FittedModel;
-use crate::models::fitted::model::Model;
-use crate::models::fitted::own_rollouts::OwnRollouts;
-use crate::models::fitted::provenance::Provenance;
-use crate::models::training::error::TrainingError;
-use crate::models::training::learner::Learner;
+use crate::models::errors::TrainingError;
+use crate::models::kinds::body::Body;
+use crate::models::kinds::fitted_model::FittedModel;
+use crate::models::kinds::learners::Learner;
+use crate::models::kinds::model::Model;
+use crate::models::kinds::own_rollouts::OwnRollouts;
 use crate::models::training::progress::{Progress, TrainingPhase};
+use crate::models::training::provenance::Provenance;
 use crate::models::training::settings::{Settings, VariationalSettings};
-use crate::models::variational::Vcgpdm;
+use crate::models::variational::{VariationalTrainer, Vcgpdm};
 use crate::motion::pose::PoseMapping;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;
@@ -210,6 +210,22 @@ impl Vcgpdm {
         let mut trainer = Trainer::new(dataset, &settings.clone().into(), seed)?;
         trainer.run();
         trainer.finish().map_err(|reason| DatasetError::Training(reason.into()))
+    }
+}
+
+impl VariationalTrainer {
+    /// The trained model of the best bound so far, on the data set that this training began with.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance of the model cannot be factorised.
+    pub fn finish<S: ColumnMapping>(&self, dataset: &Dataset<S>) -> Result<Model<S>, NumericsError> {
+        let provenance = match dataset.y.len() {
+            1 => self.provenance(dataset.frames_per_second).of_one_part(),
+            _ => self.provenance(dataset.frames_per_second),
+        };
+        let fitted = FittedModel::Vcgpdm(Box::new(self.model()?));
+        Ok(Model { fitted, body: Body::new(dataset), provenance })
     }
 }
 

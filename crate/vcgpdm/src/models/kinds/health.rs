@@ -3,7 +3,7 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::stacked;
-use crate::models::fitted::coupled::Coupled;
+use crate::models::kinds::coupled::Coupled;
 use crate::models::rollout::pace::Pace;
 use crate::models::rollout::request::{Rollout, RolloutRequest};
 use crate::motion::measures::poses::Poses;
@@ -304,9 +304,9 @@ impl Coupled<'_> {
 mod tests {
     use super::*;
     use crate::models::data::dataset::Dataset;
-    use crate::models::fitted::model::Model;
+    use crate::models::kinds::model::Model;
+    use crate::models::kinds::trainer::Trainer;
     use crate::models::training::settings::VariationalSettings;
-    use crate::models::training::trainer::Trainer;
     use crate::motion::{parts, samples};
 
     /// A model, and a rollout that repeats the clip as the model makes it, with latents at inducing points.

@@ -1,11 +1,11 @@
 //! A model that learns from its own rollouts, and the choice of the round after which it is best.
 
-use crate::models::fitted::coupled::Coupled;
-use crate::models::fitted::fitted_model::FittedModel;
-use crate::models::fitted::model::Model;
+use crate::models::kinds::coupled::Coupled;
+use crate::models::kinds::fitted_model::FittedModel;
+use crate::models::kinds::health::{Health, best_to_show};
+use crate::models::kinds::model::Model;
 use crate::models::rollout::couplings::Reading;
 use crate::models::rollout::dtw::dtw_mse;
-use crate::models::rollout::health::{Health, best_to_show};
 use crate::models::rollout::request::{RolloutError, RolloutRequest};
 use crate::models::variational::Vcgpdm;
 use nalgebra::DMatrix;
@@ -209,11 +209,11 @@ fn error(coupled: Coupled, sequences: &[(usize, DMatrix<f64>)]) -> Result<f64, R
 pub(in crate::models) mod tests {
     use super::*;
     use crate::models::data::dataset::Dataset;
-    use crate::models::rollout::health::{Ending, PartPoses};
+    use crate::models::kinds::health::{Ending, PartPoses};
+    use crate::models::kinds::trainer::Trainer;
     use crate::models::rollout::pace::Pace;
     use crate::models::training::progress::TrainingPhase;
     use crate::models::training::settings::VariationalSettings;
-    use crate::models::training::trainer::Trainer;
     use crate::motion::{parts, samples};
 
     fn trained(iterations: usize) -> Model {

@@ -1,7 +1,7 @@
 //! How likely the latents of a rollout are under the dynamics as learned.
 
 use crate::models::data::column_mapping::ColumnMapping;
-use crate::models::fitted::coupled::Coupled;
+use crate::models::kinds::coupled::Coupled;
 use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
 use serde::Serialize;
 

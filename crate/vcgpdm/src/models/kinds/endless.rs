@@ -1,13 +1,13 @@
 //! Motions without an end: a few frames at a time, which can be taken back, while couplings, tempos and
 //! primitives change, and parts are pushed or moved by a hand or a recording.
 
-use crate::models::fitted::coupled::Coupled;
-use crate::models::fitted::model::Model;
+use crate::models::kinds::coupled::Coupled;
+use crate::models::kinds::model::Model;
+use crate::models::kinds::movers::{Moved, Mover};
+use crate::models::kinds::reach::Reach;
 use crate::models::rollout::couplings::Reading;
 use crate::models::rollout::latent_dynamics::LatentDynamics;
 use crate::models::rollout::latent_paths::LatentPaths;
-use crate::models::rollout::movers::{Moved, Mover};
-use crate::models::rollout::reach::Reach;
 use crate::models::rollout::request::{Push, Rollout, RolloutError, TEMPOS};
 use crate::models::variational::{Cycle, CyclePlace, Familiarity};
 use crate::motion::pose::{RootStart, RootTrack};

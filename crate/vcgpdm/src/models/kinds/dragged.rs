@@ -1,7 +1,7 @@
 //! Inverse kinematics of a whole pose: the angles with which a node of the figure is near a wanted place.
 
-use crate::models::fitted::body::Body;
-use crate::models::rollout::reach::minimum;
+use crate::models::kinds::body::Body;
+use crate::models::kinds::reach::minimum;
 use crate::models::rollout::request::RolloutError;
 use crate::motion::pose::{ROOT_COLUMNS, RootStart};
 use nalgebra::{DMatrix, DVector, Vector3};

@@ -2,7 +2,7 @@
 
 use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::data::dataset::DatasetError;
-use crate::models::fitted::coupled::Coupled;
+use crate::models::kinds::coupled::Coupled;
 use crate::models::rollout::couplings::coupling_weight_matrix;
 use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
 use crate::models::variational::{Filter, LatentMoments, ObservationError};

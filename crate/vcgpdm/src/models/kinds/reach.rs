@@ -9,7 +9,7 @@
 //! explain. The second term is the prior of the path, the third keeps x near the latents of the training, where
 //! poses are plausible. A few damped Gauss-Newton steps (Levenberg and Marquardt) find the minimum.
 
-use crate::models::fitted::coupled::Coupled;
+use crate::models::kinds::coupled::Coupled;
 use crate::models::variational::Familiarity;
 use nalgebra::{DMatrix, DVector, Vector3};
 use std::sync::Arc;

@@ -1,18 +1,15 @@
 //! Trained models: the fitted numbers with the body or table that they predict, and the provenance.
 
-use crate::json::checks::{bounded, count, positive_number};
-use crate::json::{Field, FieldError, Value};
 use crate::models::data::column_mapping::ColumnMapping;
-use crate::models::data::phase::PhaseMap;
-use crate::models::fitted::body::Body;
-use crate::models::fitted::coupled::Coupled;
-use crate::models::fitted::fitted_model::FittedModel;
-use crate::models::fitted::provenance::Provenance;
+use crate::models::kinds::body::Body;
+use crate::models::kinds::coupled::Coupled;
+use crate::models::kinds::fitted_model::FittedModel;
 use crate::models::rollout::request::{Handles, RolloutError};
 use crate::models::training::kind::ModelKind;
+use crate::models::training::provenance::Provenance;
 use crate::motion::pose::PoseMapping;
 use crate::series::Columns;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// A trained model of any kind, ready to roll out. It holds no training clip.
 ///
@@ -41,10 +38,7 @@ impl<S: ColumnMapping> Model<S> {
     pub fn coupled(&self) -> Option<Coupled<'_, S>> {
         match &self.fitted {
             FittedModel::Vcgpdm(model) => Some(Coupled::new(model, &self.body, &self.provenance)),
-            FittedModel::Map(_)
-            | FittedModel::Tmp(_)
-            | FittedModel::DmpDiscrete(_)
-            | FittedModel::DmpRhythmic(_) => None,
+            FittedModel::Map(_) | FittedModel::Tmp(_) | FittedModel::Dmp(_) => None,
         }
     }
 
@@ -92,32 +86,4 @@ impl<S: ColumnMapping> Model<S> {
         let handles = self.body.handles_of_parts(handles);
         Ok(self.body.columns(&self.fitted.rollout_with(sequence, frames, &handles)?))
     }
-}
-
-/// Number of columns D of all parts together.
-pub fn column_count(columns: &[usize]) -> usize {
-    columns.iter().sum()
-}
-
-/// Reads a vector of `length` numbers of moderate size.
-pub fn vector(field: &Field, length: usize) -> Result<DVector<f64>, FieldError> {
-    let numbers = field.numbers()?;
-    count(field, numbers.len(), length..=length)?;
-    bounded(field, &numbers)?;
-    Ok(DVector::from_vec(numbers))
-}
-
-/// Writes a map from frames to phases.
-pub fn phase_map_value(map: &PhaseMap) -> Value {
-    Value::object([("start", Value::Number(map.start)), ("rate", Value::Number(map.rate))])
-}
-
-/// Reads a map from frames to phases.
-pub fn phase_map(field: Field) -> Result<PhaseMap, FieldError> {
-    let mut object = field.object()?;
-    let start = object.get("start")?;
-    bounded(&start, &[start.number()?])?;
-    let map = PhaseMap { start: start.number()?, rate: positive_number(object.get("rate")?)? };
-    object.end()?;
-    Ok(map)
 }

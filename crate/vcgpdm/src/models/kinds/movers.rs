@@ -1,8 +1,8 @@
 //! Who moves a part of a live rollout in place of the model: somebody's hand, or a recording.
 
-use crate::models::fitted::coupled::Coupled;
+use crate::models::kinds::coupled::Coupled;
+use crate::models::kinds::reach::Reach;
 use crate::models::rollout::latent_paths::LatentPaths;
-use crate::models::rollout::reach::Reach;
 use crate::models::variational::Cycle;
 use nalgebra::DMatrix;
 use std::sync::Arc;

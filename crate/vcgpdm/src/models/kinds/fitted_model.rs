@@ -1,7 +1,6 @@
 //! Fitted models of any kind.
 
-use crate::models::data::movements::split;
-use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
+use crate::models::dmp::Dmp;
 use crate::models::map::MapModel;
 use crate::models::rollout::request::{Handles, RolloutError};
 use crate::models::tmp::Tmp;
@@ -19,10 +18,8 @@ pub enum FittedModel {
     Map(Box<MapModel>),
     /// Temporal movement primitives.
     Tmp(Box<Tmp>),
-    /// Dynamic movement primitives towards a goal.
-    DmpDiscrete(Box<DmpDiscrete>),
-    /// Dynamic movement primitives around a centre.
-    DmpRhythmic(Box<DmpRhythmic>),
+    /// Dynamic movement primitives.
+    Dmp(Box<Dmp>),
 }
 
 impl FittedModel {
@@ -32,8 +29,7 @@ impl FittedModel {
             FittedModel::Vcgpdm(model) => model.kind(),
             FittedModel::Map(model) => model.kind(),
             FittedModel::Tmp(_) => ModelKind::Tmp,
-            FittedModel::DmpDiscrete(_) => ModelKind::DmpDiscrete,
-            FittedModel::DmpRhythmic(_) => ModelKind::DmpRhythmic,
+            FittedModel::Dmp(model) => model.kind(),
         }
     }
 
@@ -59,12 +55,7 @@ impl FittedModel {
     ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         match self {
             FittedModel::Tmp(model) => model.rollout(sequence, frames, handles),
-            FittedModel::DmpDiscrete(model) => {
-                Ok(split(&model.path(sequence, frames, handles)?, &model.columns))
-            }
-            FittedModel::DmpRhythmic(model) => {
-                Ok(split(&model.path(sequence, frames, handles)?, &model.columns))
-            }
+            FittedModel::Dmp(model) => model.rollout(sequence, frames, handles),
             _ if *handles != Handles::default() => Err(RolloutError::Handles { found: self.kind().id() }),
             FittedModel::Vcgpdm(model) => model.rollout(sequence, frames),
             FittedModel::Map(model) => model.rollout(sequence, frames),
@@ -78,8 +69,7 @@ impl FittedModel {
             FittedModel::Vcgpdm(model) => model.stored_numbers(),
             FittedModel::Map(model) => model.stored_numbers(),
             FittedModel::Tmp(model) => model.stored_numbers(),
-            FittedModel::DmpDiscrete(model) => model.stored_numbers(),
-            FittedModel::DmpRhythmic(model) => model.stored_numbers(),
+            FittedModel::Dmp(model) => model.stored_numbers(),
         }
     }
 
@@ -87,10 +77,7 @@ impl FittedModel {
     pub fn terms(&self) -> Option<&BoundTerms> {
         match self {
             FittedModel::Vcgpdm(model) => Some(&model.terms),
-            FittedModel::Map(_)
-            | FittedModel::Tmp(_)
-            | FittedModel::DmpDiscrete(_)
-            | FittedModel::DmpRhythmic(_) => None,
+            FittedModel::Map(_) | FittedModel::Tmp(_) | FittedModel::Dmp(_) => None,
         }
     }
 
@@ -99,7 +86,7 @@ impl FittedModel {
         match self {
             FittedModel::Vcgpdm(model) => Some(model.bound()),
             FittedModel::Tmp(model) => Some(model.bound),
-            FittedModel::Map(_) | FittedModel::DmpDiscrete(_) | FittedModel::DmpRhythmic(_) => None,
+            FittedModel::Map(_) | FittedModel::Dmp(_) => None,
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Trained vCGPDMs and vGPDMs: rollouts under other couplings, sampled rollouts, poses of latents.
 
 use crate::models::data::column_mapping::ColumnMapping;
-use crate::models::fitted::body::Body;
-use crate::models::fitted::provenance::Provenance;
+use crate::models::kinds::body::Body;
 use crate::models::rollout::couplings::coupling_weight_matrix;
 use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
+use crate::models::training::provenance::Provenance;
 use crate::models::variational::{LatentMoments, PredictiveDynamics, Vcgpdm};
 use crate::motion::Clip;
 use crate::motion::pose::{PoseError, PoseMapping};

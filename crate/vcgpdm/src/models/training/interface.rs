@@ -1,13 +1,11 @@
-//! Interface of the trainings of all kinds of models.
+//! What the trainings of all kinds of models have in common.
 
-use crate::gp::NumericsError;
-use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::training::progress::Progress;
 use nalgebra::DMatrix;
 
 /// A training of one kind of model. The caller loops and may stop after any iteration; the best model so far
 /// is kept.
-pub trait Learner {
+pub trait Training {
     /// One iteration. After the end it does nothing.
     fn step(&mut self) -> Progress;
 
@@ -31,11 +29,4 @@ pub trait Learner {
 
     /// How far the training is.
     fn progress(&self) -> Progress;
-
-    /// The best model so far.
-    ///
-    /// # Errors
-    ///
-    /// When a covariance of the model cannot be factorised.
-    fn model(&self) -> Result<FittedModel, NumericsError>;
 }
