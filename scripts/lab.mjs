@@ -16,7 +16,7 @@ const MEASUREMENTS = {
   motions,
   samples,
   study,
-  scaling: () => printTables("scaling"),
+  scaling: (...words) => printTables("scaling", ...words),
   seeds: (...words) => printTables("seeds", ...words),
   synthetic: (...words) => printTables("synthetic", ...words),
 };

@@ -71,7 +71,7 @@ export const words: ExperimentWords = {
   inside: {
     title: "Im Inneren des Modells",
     text: (points) =>
-      `Jede Funktion behält ${points} Stützpunkte statt aller Bilder. Vor dem Training sind die latenten Zustände eine erste Schätzung, die zwei größten Hauptkomponenten der Kurven, und die Punkte liegen auf ihnen. Das Training bewegt beide.`,
+      `Jede Funktion behält ${points} Stützpunkte statt aller Bilder. Vor dem Training sind die latenten Zustände eine erste Schätzung, die zwei größten Hauptkomponenten der geglätteten Kurven, und die Punkte liegen auf ihnen. Das Training bewegt beide.`,
     before: "vor dem Training",
     after: "nach dem Training",
     press: "Drücke Trainieren.",

@@ -66,7 +66,7 @@ export const words = {
   inside: {
     title: "Inside the model",
     text: (points: number) =>
-      `Each function keeps ${points} inducing points in place of all frames. Before training the latents are a first guess, the two largest principal components of the curves, and the points lie on them. Training moves both.`,
+      `Each function keeps ${points} inducing points in place of all frames. Before training the latents are a first guess, the two largest principal components of the smoothed curves, and the points lie on them. Training moves both.`,
     before: "before training",
     after: "after training",
     press: "Press Train.",

@@ -15,7 +15,7 @@ export const words: MethodWords = {
     bound:
       "Die latenten Zustände sind nicht bekannt. Darum findet das Training für jeden eine Gaußverteilung, zusammen mit Kernen, Kopplungen und Stützpunkten. Es erhöht die Summe",
     weights:
-      "Mit γ = 1, wie in den Artikeln, ist das eine untere Schranke der logarithmierten Evidenz. Sonst ist γ gleich Q/D, latente Dimensionen durch Spalten des Teils: keine Schranke, aber latente Zustände, die leichter vorherzusagen sind (Urtasun et al. 2006). Ein Modell, dessen Bewegung zur Ruhe kommt, lernt dann aus eigenen Rollouts, die nur 𝐄(u) ändern. „Wie in den Artikeln“, unter Lernen, trainiert mit γ = 1 und ohne eigene Rollouts.",
+      "Mit γ = 1, wie in den Artikeln, ist das eine untere Schranke der logarithmierten Evidenz. Für einen Körper ist γ sonst gleich Q/D, latente Dimensionen durch Spalten des Teils: keine Schranke, aber latente Zustände, die leichter vorherzusagen sind (Urtasun et al. 2006). Ein Modell eines Körpers, dessen Bewegung nicht weitergeht, lernt dann aus eigenen Rollouts, die nur die Verteilung von u ändern. „Wie in den Artikeln“, unter Lernen, trainiert mit γ = 1 und ohne eigene Rollouts.",
     terms:
       "Jeder Term F eines Gaußprozesses stützt sich auf wenige Stützpunkte statt auf alle Bilder (Titsias und Lawrence 2010). Für R Zeilen und C Spalten, mit der Varianz n des Beobachteten und der Kovarianz K der Stützpunkte:",
     sums: "Ψ₂ und b sind Summen erwarteter Produkte über die Bilder: zweier Werte des Kerns, und eines Werts des Kerns mit dem Zielwert. c₂ ist die Summe der erwarteten Quadrate der Zielwerte, und Δ das, was die Stützpunkte nicht erklären. Die Zeit einer Iteration wächst linear mit der Zahl der Bilder.",

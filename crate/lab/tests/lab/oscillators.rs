@@ -1,16 +1,16 @@
 //! Two noisy oscillators: training finds a coupling where there is one, and none where there is none
 //! (docs/couplings.md, "Two oscillators").
 //!
-//! `cargo test --release -p vcgpdm-lab --test lab oscillators -- --nocapture` prints each draw.
+//! `cargo test --release -p vcgpdm-lab --test lab oscillators -- --include-ignored --nocapture` prints each draw.
 
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use std::f64::consts::TAU;
-use vcgpdm::internals::Elementary;
-use vcgpdm::models::VariationalSettings;
-use vcgpdm::models::variational::{VariationalTrainer, Vcgpdm};
+use vcgpdm_core::elementary::Elementary;
+use vcgpdm_core::models::VariationalSettings;
+use vcgpdm_core::models::variational::{VariationalTrainer, Vcgpdm};
 use vcgpdm_lab::evaluation::stats::median;
 
 /// Frames of a trial, and those that the model sees of the trial held out.

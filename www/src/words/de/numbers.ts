@@ -14,7 +14,7 @@ export const words: NumbersWords = {
     about: (elbo) =>
       `Wie wahrscheinlich die latenten Zustände eines Bildes unter der gelernten Dynamik sind, in Nat. Knopp et al. (2019) sagten mit einer anderen Zahl vorher, wie natürlich Menschen das Gehen fanden: mit der Dynamik-ELBO des trainierten Modells, hier ${elbo}.`,
     caution:
-      "Nach dieser hat niemand Menschen gefragt. Vergleiche nur Bewegungen eines Modells. Ohne Rauschen liegt eine Bewegung meist über 0, auch in Ruhe.",
+      "Nach dieser hat niemand Menschen gefragt. Vergleiche nur Bewegungen eines Modells. Ohne Rauschen kann eine Bewegung über 0 liegen, auch in Ruhe.",
   },
   couplings: {
     title: "[Kopplungen|coupling]",

@@ -39,7 +39,7 @@ export const words: PerformingWords = {
   waits: "Einen Moment: Die Füße beginnen nach einem ganzen Doppelschritt.",
   says: {
     step: "Links, rechts, links: Jeder Druck ist ein Schritt. Wo du wartest, wartet der Körper.",
-    same: "Das Modell hat kein Hüpfen gesehen: Dazwischen tritt der andere Fuß auf.",
+    same: "Derselbe Fuß zweimal ist kein Schritt dieses Zyklus: Dazwischen tritt der andere Fuß auf.",
     fast: "Schneller, als das Modell es kennt: Es geht doppelt so schnell, wie es gelernt hat.",
   },
   handles: {

@@ -23,7 +23,7 @@ export const push: Words["chapters"]["push"] = {
   away: (part, farthest) => `Die ${part} verließen ihre Schleife um ${radii(farthest)} Radien.`,
   home: (time) => `Nach ${seconds(time)} war alles wieder auf seiner Schleife.`,
   lost: "Er ist nicht nach Hause gekommen.",
-  back: "Jede Schätzung führt näher an die Schleife.",
+  back: "Schätzung für Schätzung kam der Weg zur Schleife zurück.",
   wheel: {
     youAre: "Sei die Beine",
     invites: "Sei die Beine: Dreh das Rad. Die Arme folgen.",

@@ -140,7 +140,7 @@ export const words: TeachWords = {
       asked: [
         [
           "Hat ihm das jemand beigebracht?",
-          "Nein. Jede Vermutung zieht zu aufgenommenen Posen, also zieht die Schleife an.",
+          "Nein. Die aufgenommenen Schritte liegen um die Schleife, und die Regeln dieses Modells führen zu ihr zurück. Andere Modelle kommen zur Ruhe.",
         ],
         ["Könnte er fallen?", "Nein: Das Modell kennt Posen, kein Gewicht und keinen Boden."],
       ],
@@ -163,7 +163,8 @@ export const words: TeachWords = {
     belief: {
       say: "Hier ist die Wahrheit bekannt. Bei Aufnahmen ist sie es nicht: Dann kann ein Modell nur glauben.",
       wrong: "Ein Training braucht einige Sekunden: Frag so lange nach Gründen.",
-      answer: "Der Vorhang sagt es. Wie oft das Modell recht hat, wurde gezählt: docs/synthetic.md.",
+      answer:
+        "Der Vorhang sagt es. Wie oft ein Modell recht hat, zählt docs/synthetic.md, nach einer strengeren Regel als diese Karte.",
       asked: [
         [
           "Warum nicht am Gang prüfen?",
@@ -179,7 +180,7 @@ export const words: TeachWords = {
       asked: [
         [
           "Warum null?",
-          "Das ist der Mittelwert, der vor allen Daten gewählt wurde: hier das Mittel aller Posen.",
+          "Das ist der Mittelwert, der vor allen Daten gewählt wurde. Im Modell eines Gangs ist null das Mittel aller Posen.",
         ],
         ["Warum ist das Band an den Punkten schmal?", "Ein Punkt sagt den Wert dort, bis auf Rauschen."],
       ],
@@ -199,7 +200,7 @@ export const words: TeachWords = {
       wrong: "Eine geänderte Kopplung bleibt: vor der nächsten Aufgabe alles zurücksetzen.",
     },
     compare: {
-      say: "Dass das gekoppelte Modell einen zurückgehaltenen Gang besser voraussieht als einfache, fanden wir nicht. Es hat Teile, die man abschneiden, schieben und tauschen kann.",
+      say: "Dass das gekoppelte Modell einen zurückgehaltenen Gang besser voraussieht als zwei einfache, TMP und DMP, fanden wir nicht. Es hat Teile, die man abschneiden, schieben und tauschen kann.",
       wrong: "Ein Vergleich dauert Minuten: vor der Pause starten, oder die gespeicherten Ergebnisse zeigen.",
     },
     questions: {

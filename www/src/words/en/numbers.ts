@@ -13,7 +13,7 @@ export const words = {
     about: (elbo: string) =>
       `How likely the latents of a frame are under the dynamics as learned, in nats. Knopp et al. (2019) predicted how natural people found walks with another number: the dynamics ELBO of the trained model, here ${elbo}.`,
     caution:
-      "Nobody has asked people about this one. Compare only motions of one model. Without noise a motion is usually above 0, even at rest.",
+      "Nobody has asked people about this one. Compare only motions of one model. Without noise a motion may be above 0 even at rest.",
   },
   couplings: {
     title: "[Couplings|coupling]",

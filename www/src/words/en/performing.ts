@@ -38,7 +38,7 @@ export const words = {
   waits: "One moment: the feet begin after one whole stride.",
   says: {
     step: "Left, right, left: each press is a step. Where you wait, the body waits.",
-    same: "The model has seen no hops: the other foot steps in between.",
+    same: "One foot twice is no step of this cycle: the other foot steps in between.",
     fast: "Faster than the model knows: it walks at twice the pace that it learned.",
   },
   handles: {

@@ -23,7 +23,7 @@ export const push = {
     `The ${part} left their loop by ${radii(farthest)} times its radius.`,
   home: (time: number) => `${seconds(time)} later all was on its loop again.`,
   lost: "It has not come home.",
-  back: "Each guess leads nearer to the loop.",
+  back: "Guess after guess, the path came back to the loop.",
   wheel: {
     youAre: "Be the legs",
     invites: "Be the legs: turn the wheel. The arms follow.",

@@ -130,7 +130,7 @@ export const words = {
       asked: [
         [
           "Did anybody teach it that?",
-          "No. Every guess is drawn towards recorded poses, so the loop attracts.",
+          "No. The recorded steps lie round the loop, and the rules of this model lead back to it. Other models come to rest.",
         ],
         ["Could it fall?", "No: the model knows poses, and no weight and no ground."],
       ],
@@ -153,7 +153,8 @@ export const words = {
     belief: {
       say: "The truth is known here. On recordings it is not: then a model can only believe.",
       wrong: "A training needs some seconds: ask for reasons meanwhile.",
-      answer: "The curtain tells. How often the model is right was counted: docs/synthetic.md.",
+      answer:
+        "The curtain tells. docs/synthetic.md counts how often a model is right, by a stricter rule than this card.",
       asked: [
         [
           "Why not test this on the walk?",
@@ -167,7 +168,10 @@ export const words = {
       wrong: "The band is taken for the data’s noise: away from points it is what nobody knows.",
       answer: "Zero, and a wide band: the process says that it does not know.",
       asked: [
-        ["Why zero?", "It is the mean that was chosen before any data: here the mean of all poses."],
+        [
+          "Why zero?",
+          "It is the mean that was chosen before any data. In the model of a walk, zero is the mean of all poses.",
+        ],
         ["Why is the band narrow at the points?", "A point tells the value there, up to noise."],
       ],
     },
@@ -183,7 +187,7 @@ export const words = {
       wrong: "A changed coupling stays: Reset before the next exercise.",
     },
     compare: {
-      say: "We did not find that the coupled model foresees a held-out walk better than simple ones. It adds parts that can be cut, pushed and exchanged.",
+      say: "We did not find that the coupled model foresees a held-out walk better than two simple ones, TMP and DMP. It adds parts that can be cut, pushed and exchanged.",
       wrong: "A comparison takes minutes: start it before the break, or show the recorded results.",
     },
     questions: {
