@@ -6,8 +6,8 @@ use crate::numbers::check_fps;
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::motion::parts::PartSpec;
-use vcgpdm::motion::{asf, parts};
+use vcgpdm_core::motion::parts::PartSpec;
+use vcgpdm_core::motion::{asf, parts};
 
 /// Print the contents of a clip and the parts of each preset as one JSON object, and write the clip back.
 #[derive(clap::Args)]

@@ -1,13 +1,13 @@
 //! Reading and writing clips for all commands, and the options for it.
 
 use crate::files::{read_bytes, read_name};
-use crate::progress::say;
+use crate::task::say;
 use crate::usage::usage;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::motion::pose::PoseMapping;
-use vcgpdm::motion::stage::UpAxis;
-use vcgpdm::motion::{Clip, Recording, bvh, samples};
+use vcgpdm_core::motion::pose::PoseMapping;
+use vcgpdm_core::motion::stage::UpAxis;
+use vcgpdm_core::motion::{Clip, Recording, bvh, samples};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 

@@ -9,7 +9,7 @@ use serde_json::json;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::models::{Body, Model, PartCompletion, RolloutRequest};
+use vcgpdm_core::models::{Body, Model, PartCompletion, RolloutRequest};
 
 /// Infer the other parts of a clip from the given ones, and print their errors as one JSON object.
 ///

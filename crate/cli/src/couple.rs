@@ -9,7 +9,7 @@ use serde_json::json;
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::models::library::{CouplingTrainer, CouplingsFrom, MOST_ITERATIONS};
+use vcgpdm_core::models::library::{CouplingTrainer, CouplingsFrom, MOST_ITERATIONS};
 
 /// Combine primitives of a library into a model, and print its couplings as one JSON object.
 ///

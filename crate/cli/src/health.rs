@@ -1,6 +1,6 @@
 //! Whether the motion of a trained model moves on, and what may help where it does not.
 
-use vcgpdm::models::{Ending, Health, Model, RolloutRequest, VariationalSettings};
+use vcgpdm_core::models::{Ending, Health, Model, RolloutRequest, VariationalSettings};
 
 /// Seconds of the motion that a trained model is judged by, as on the page.
 const SECONDS: f64 = 10.0;
@@ -60,7 +60,7 @@ pub fn warning(health: &Health, names: &[&str]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::models::{Pace, PartPoses};
+    use vcgpdm_core::models::{Pace, PartPoses};
 
     #[test]
     fn advises_more_points_where_there_are_fewer_than_usual() {

@@ -4,7 +4,7 @@ use crate::files;
 use serde_json::{Map, Value};
 use std::error::Error;
 use std::path::Path;
-use vcgpdm::models::library::TrainedLibrary;
+use vcgpdm_core::models::library::TrainedLibrary;
 
 /// Reads a library.
 pub fn read(path: &Path) -> Result<TrainedLibrary, Box<dyn Error>> {

@@ -6,7 +6,7 @@ use std::fmt::Display;
 use std::num::{IntErrorKind, ParseIntError};
 use std::ops::{Bound, RangeBounds, RangeInclusive};
 use std::str::FromStr;
-use vcgpdm::motion::Clip;
+use vcgpdm_core::motion::Clip;
 
 /// Reads a whole number of a range that has a lowest number and includes its ends.
 pub fn whole<T>(

@@ -6,8 +6,8 @@ use crate::usage::usage;
 use serde_json::{Value, json};
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::SequenceInfo;
-use vcgpdm::models::library::{Origin, TrainedLibrary};
+use vcgpdm_core::models::SequenceInfo;
+use vcgpdm_core::models::library::{Origin, TrainedLibrary};
 
 /// Print the primitives of a library with their origins, save some as a file, or add those of a file.
 ///

@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use serde_json::{Map, Value, json};
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::models::library::Segment;
+use vcgpdm_core::models::library::Segment;
 
 /// Print which primitive of a library each part uses in clips, moment by moment, as one JSON object.
 ///
@@ -92,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if let Some(out) = &arguments.out {
         let table = DMatrix::from_fn(frames, columns.len(), |frame, column| columns[column].1[frame]);
         let heads: Vec<String> = columns.into_iter().map(|(head, _)| head).collect();
-        files::write_text(out, &vcgpdm::series::write(&heads, &table, frame_time))?;
+        files::write_text(out, &vcgpdm_core::series::write(&heads, &table, frame_time))?;
     }
     files::print_summary(&summary, &arguments.out.iter().map(PathBuf::as_path).collect::<Vec<_>>())
 }

@@ -1,16 +1,16 @@
 //! `vcgpdm reproduce`: trains a model again with the settings of its file, and compares.
 
 use crate::clips::{self, Rate, Up};
+use crate::files;
 use crate::numbers::whole;
+use crate::task::Task;
 use crate::usage::usage;
-use crate::{files, interrupt};
 use serde_json::{Value, json};
 use std::error::Error;
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
 use std::time::Instant;
-use vcgpdm::models::{Dataset, FittedModel, Model, SequenceInfo, Source, Trainer, with_bones_of};
-use vcgpdm::motion::Clip;
+use vcgpdm_core::models::{Dataset, FittedModel, Model, SequenceInfo, Source, Trainer, with_bones_of};
+use vcgpdm_core::motion::Clip;
 
 /// Train a model again from its clips, settings and seed, compare, and print the difference as one JSON
 /// object.
@@ -87,14 +87,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     let mut trainer = Trainer::new(&dataset, &provenance.settings, provenance.seed)?;
     trainer.use_threads(arguments.threads.into());
-    let stopped = interrupt::flag()?;
+    let task = Task::new("at most")?;
     loop {
         let progress = trainer.step();
         // A training that was stopped is stopped at the same iteration again.
         if progress.done || progress.iteration >= provenance.iterations {
             break;
         }
-        if stopped.load(Ordering::Relaxed) {
+        if task.is_stopped() {
             return Err("stopped before the last iteration of the recorded training".into());
         }
     }

@@ -7,8 +7,8 @@
 //! program ends in whatever way, and then the job is free.
 
 use crate::files;
-use crate::progress::say;
 use crate::results::read;
+use crate::task::say;
 use crate::usage::usage;
 use std::collections::{HashMap, HashSet};
 use std::error::Error;
@@ -16,7 +16,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
-use vcgpdm::internals::sha256;
+use vcgpdm_core::motion::sha256;
 use vcgpdm_lab::evaluation::{Finished, Job, Results, Setting};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -181,8 +181,8 @@ impl Drop for Store {
 #[allow(clippy::unwrap_used, clippy::panic)]
 mod tests {
     use super::*;
-    use vcgpdm::models::{Settings, TmpSettings};
-    use vcgpdm::motion::samples;
+    use vcgpdm_core::models::{Settings, TmpSettings};
+    use vcgpdm_core::motion::samples;
 
     fn setting() -> Setting {
         let clips: Vec<_> = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap()).into();

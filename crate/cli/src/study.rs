@@ -3,18 +3,18 @@
 use crate::clips::{self, Up};
 use crate::evaluate::models;
 use crate::numbers::{check_within, whole};
-use crate::progress::Progress;
+use crate::task::Task;
 use crate::usage::{first_given, usage};
-use crate::{files, interrupt, results};
+use crate::{files, results};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use vcgpdm::models::{Body, Settings, with_bones_of};
-use vcgpdm::motion::Clip;
-use vcgpdm::motion::pose::RootStart;
+use vcgpdm_core::models::{Body, Settings, with_bones_of};
+use vcgpdm_core::motion::Clip;
+use vcgpdm_core::motion::pose::RootStart;
 use vcgpdm_lab::evaluation::{Fold, Job, Outcome, Results, TrialClip};
 use vcgpdm_lab::perception::{Look, Maker, Preset, Study, StudyMovement, TrialKind};
 
@@ -255,12 +255,10 @@ fn predictions(
     folds: &[Fold],
     arguments: &Arguments,
 ) -> Result<Vec<(Job, Prediction)>, Box<dyn Error>> {
-    let stopped = interrupt::flag()?;
+    let task = Task::new("about")?;
     let seconds: f64 = jobs.iter().map(|(_, seconds)| seconds).sum();
     let message = |done: usize| format!("{done} of {} trainings, which took {seconds:.0} s", jobs.len());
-    let mut progress = Progress::new("about");
-    progress.show(0.0, || message(0));
-    let progress = Mutex::new(progress);
+    task.show(0.0, || message(0));
     let (next, done) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.map_or(cores, usize::from).min(jobs.len());
@@ -271,16 +269,15 @@ fn predictions(
                     let place = next.fetch_add(1, Ordering::Relaxed);
                     let Some((job, _)) = jobs.get(place) else { return };
                     let Some(fold) = folds.get(job.held_out) else { return };
-                    let made = predict(fold, job, &|| stopped.load(Ordering::Relaxed));
+                    let made = predict(fold, job, &|| task.is_stopped());
                     let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
                     done.insert(place, made);
-                    let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
-                    progress.show(done.len() as f64 / jobs.len() as f64, || message(done.len()));
+                    task.show(done.len() as f64 / jobs.len() as f64, || message(done.len()));
                 }
             });
         }
     });
-    progress.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
+    task.finish();
     let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
     let predictions = done.into_iter().map(|(place, made)| {
         let job = &jobs[place].0;

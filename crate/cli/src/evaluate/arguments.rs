@@ -6,7 +6,7 @@ use crate::train::pose_weight;
 use crate::usage::usage;
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::models::{MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, PoseWeight, VariationalSettings};
+use vcgpdm_core::models::{MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, PoseWeight, VariationalSettings};
 use vcgpdm_lab::evaluation::{CandidateKind, START_FRAMES};
 
 /// Compare models: train each on all trials but one, predict this trial from its first frames, and store the

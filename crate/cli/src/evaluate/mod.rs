@@ -8,16 +8,16 @@ pub use crate::evaluate::arguments::{Arguments, folds, models};
 use crate::evaluate::work::Work;
 use crate::files;
 use crate::numbers::check_fps;
-use crate::progress::say;
 use crate::store::Store;
+use crate::task::say;
 use crate::train::{parts, warn_of_cost, weight};
 use crate::usage::usage;
 use serde_json::json;
 use std::collections::HashMap;
 use std::error::Error;
 use std::thread;
-use vcgpdm::models::{MOST_PRIMITIVES, PoseWeight};
-use vcgpdm::motion::pose::PoseMapping;
+use vcgpdm_core::models::{MOST_PRIMITIVES, PoseWeight};
+use vcgpdm_core::motion::pose::PoseMapping;
 use vcgpdm_lab::evaluation::{ComparisonPlanError, Fold, Job, Plan, Setting, whole_cycles};
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         }
     });
     let state = work.state();
-    state.progress.finish();
+    work.task.finish();
     if let Some(problem) = &state.problem {
         return Err(problem.clone().into());
     }

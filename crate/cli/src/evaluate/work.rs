@@ -1,15 +1,13 @@
 //! Jobs that the threads of this program, and other programs on the same file, compute one after the other.
 
-use crate::interrupt;
-use crate::progress::Progress;
 use crate::store::{Next, Store};
+use crate::task::Task;
 use std::collections::HashMap;
 use std::error::Error;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
-use vcgpdm::models::Progress as Training;
+use vcgpdm_core::models::Progress as Training;
 use vcgpdm_lab::evaluation::{Finished, Fold, Job};
 
 /// How often a thread without a job looks whether another program has finished or given up one.
@@ -19,7 +17,7 @@ const POLL: Duration = Duration::from_secs(1);
 pub struct Work {
     /// Number of the jobs.
     pub jobs: usize,
-    stopped: Arc<AtomicBool>,
+    pub task: Task,
     state: Mutex<State>,
 }
 
@@ -28,7 +26,6 @@ pub struct State {
     store: Store,
     /// Jobs that are neither finished nor computed by this program.
     open: Vec<Job>,
-    pub progress: Progress,
     /// How far the job of each thread is, 0 to 1. A thread without a job has no entry.
     fractions: HashMap<usize, f64>,
     pub computed: usize,
@@ -40,11 +37,11 @@ pub struct State {
 
 impl State {
     /// Says once that this program only waits for others.
-    fn say_waiting(&mut self) {
+    fn say_waiting(&mut self, task: &Task) {
         if self.fractions.is_empty() && !self.waited {
             self.waited = true;
             let jobs = self.open.len();
-            self.progress.note(&format!("waiting for other programs, which compute {jobs} of the jobs"));
+            task.note(&format!("waiting for other programs, which compute {jobs} of the jobs"));
         }
     }
 
@@ -56,38 +53,32 @@ impl State {
 
 impl Work {
     pub fn new(open: Vec<Job>, store: Store) -> Result<Self, Box<dyn Error>> {
-        let stopped = interrupt::flag()?;
         let jobs = open.len();
         let state = State {
             store,
             open,
-            progress: Progress::new("about"),
             fractions: HashMap::new(),
             computed: 0,
             failures: Vec::new(),
             problem: None,
             waited: false,
         };
-        Ok(Self { jobs, stopped, state: Mutex::new(state) })
+        Ok(Self { jobs, task: Task::new("about")?, state: Mutex::new(state) })
     }
 
     pub fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn is_stopped(&self) -> bool {
-        self.stopped.load(Ordering::Relaxed)
-    }
-
     /// Computes one job after the other until none is left, or until Ctrl-C.
     pub fn compute(&self, thread: usize, folds: &HashMap<(usize, usize), Fold>) {
-        while !self.is_stopped() {
+        while !self.task.is_stopped() {
             let mut state = self.state();
             let State { store, open, .. } = &mut *state;
             let job = match store.claim(open) {
                 Ok(Next::Job(job)) => job,
                 Ok(Next::Wait) => {
-                    state.say_waiting();
+                    state.say_waiting(&self.task);
                     drop(state);
                     thread::sleep(POLL);
                     continue;
@@ -102,7 +93,7 @@ impl Work {
             let seconds = || begin.elapsed().as_secs_f64();
             let mut watch = |progress: &Training| {
                 self.show(thread, progress.fraction);
-                !self.is_stopped()
+                !self.task.is_stopped()
             };
             let result = match fold.evaluate(&job.candidate, job.seed, &seconds, &mut watch) {
                 Ok(Some(outcome)) => Ok(outcome),
@@ -124,7 +115,7 @@ impl Work {
             state.fractions.remove(&thread);
             state.computed += 1;
             let (done, jobs) = (self.jobs - state.left(), self.jobs);
-            state.progress.log(|| {
+            self.task.log(|| {
                 let seconds = seconds();
                 format!("{done} of {jobs} jobs: {id}, trial {trial} held out, seed {seed}, {ending} in {seconds:.1} s")
             });
@@ -135,7 +126,7 @@ impl Work {
     /// Stops all threads because of an error of the results file.
     fn fail(&self, state: &mut State, error: &dyn Error) {
         state.problem = Some(error.to_string());
-        self.stopped.store(true, Ordering::Relaxed);
+        self.task.stop();
     }
 
     fn show(&self, thread: usize, fraction: f64) {
@@ -147,6 +138,6 @@ impl Work {
     fn show_state(&self, state: &mut State) {
         let (done, jobs) = (self.jobs - state.left(), self.jobs);
         let fraction = (done as f64 + state.fractions.values().sum::<f64>()) / jobs.max(1) as f64;
-        state.progress.show(fraction, || format!("{done} of {jobs} jobs"));
+        self.task.show(fraction, || format!("{done} of {jobs} jobs"));
     }
 }

@@ -1,8 +1,8 @@
 //! Latents as tables: CSV with a header and one row for each frame.
 
 use nalgebra::DMatrix;
-use vcgpdm::models::variational::LatentMoments;
-use vcgpdm::series;
+use vcgpdm_core::models::variational::LatentMoments;
+use vcgpdm_core::series;
 
 /// One row for each frame: frame, time in seconds, and the latents of all parts.
 pub fn csv(parts: &[String], latents: &[DMatrix<f64>], frame_time: f64) -> String {

@@ -14,12 +14,12 @@ use nalgebra::DMatrix;
 use std::error::Error;
 use std::iter::once;
 use std::path::{Path, PathBuf};
-use vcgpdm::document::Document;
-use vcgpdm::models::{
+use vcgpdm_core::document::Document;
+use vcgpdm_core::models::{
     Body, ColumnMapping, Coupled, FittedModel, Handles, MOST_FRAMES, MOST_SAMPLES, Model, ModelKind, Reading,
     Rollout, RolloutRequest,
 };
-use vcgpdm::series;
+use vcgpdm_core::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
 ///

@@ -1,7 +1,7 @@
 //! Reads couplings, cuts and pushes from the command line.
 
 use std::path::PathBuf;
-use vcgpdm::models::{Cut, Push};
+use vcgpdm_core::models::{Cut, Push};
 
 /// The value of `--from`: what a rollout starts as.
 #[derive(Clone, Debug, PartialEq)]

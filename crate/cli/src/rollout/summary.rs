@@ -2,12 +2,12 @@
 
 use crate::files;
 use crate::health::warning;
-use crate::progress::say;
+use crate::task::say;
 use serde_json::json;
 use std::error::Error;
 use std::path::Path;
-use vcgpdm::models::{Coupled, LatentLogDensity, Rollout, RolloutRequest};
-use vcgpdm::motion::measures::measures;
+use vcgpdm_core::models::{Coupled, LatentLogDensity, Rollout, RolloutRequest};
+use vcgpdm_core::motion::measures::measures;
 
 /// Prints the summary as JSON, and a warning if the motion does not move on.
 pub fn print(

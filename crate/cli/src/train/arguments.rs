@@ -4,7 +4,7 @@ use crate::clips::Up;
 use crate::train::kind;
 use std::ffi::OsString;
 use std::path::PathBuf;
-use vcgpdm::models::ModelKind;
+use vcgpdm_core::models::ModelKind;
 
 /// Train a model on clips of one body and print a summary as one JSON object.
 #[derive(clap::Args)]

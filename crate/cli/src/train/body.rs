@@ -4,9 +4,9 @@ use crate::files;
 use crate::usage::usage;
 use std::error::Error;
 use std::path::Path;
-use vcgpdm::models::DatasetError;
-use vcgpdm::motion::parts::PartSpec;
-use vcgpdm::motion::{Skeleton, parts};
+use vcgpdm_core::models::DatasetError;
+use vcgpdm_core::motion::parts::PartSpec;
+use vcgpdm_core::motion::{Skeleton, parts};
 
 /// The reason, with a hint if only the bones differ.
 pub fn with_hint(reason: DatasetError) -> Box<dyn Error> {

@@ -5,9 +5,9 @@ use crate::numbers::check_within;
 use crate::usage::usage;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::Dataset;
-use vcgpdm::motion::parts::PartSpec;
-use vcgpdm::series::{Columns, SeriesError, Table, parse_parts, parts_from_json, read, whole};
+use vcgpdm_core::models::Dataset;
+use vcgpdm_core::motion::parts::PartSpec;
+use vcgpdm_core::series::{Columns, SeriesError, Table, parse_parts, parts_from_json, read, whole};
 
 /// The tables as a data set. `split` is the value of `--parts`; `rate` is the number of rows a second of
 /// files without times; the columns of `without` are left out.

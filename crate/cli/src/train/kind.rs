@@ -6,7 +6,7 @@ use clap::parser::ValueSource;
 use clap::{ArgMatches, Command, FromArgMatches};
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::models::{
+use vcgpdm_core::models::{
     BALANCED, DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings,
     ModelKind, POSE_WEIGHTS, POSE_WEIGHTS_TEXT, PoseWeight, Settings, TmpSettings, VariationalSettings,
 };

@@ -5,7 +5,7 @@ use crate::files;
 use crate::health::{health_of, warning};
 use crate::library::primitives_by_part;
 use crate::numbers::check_fps;
-use crate::progress::say;
+use crate::task::say;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
 use crate::train::kind::objective;
@@ -17,8 +17,8 @@ use std::error::Error;
 use std::ffi::OsStr;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{
+use vcgpdm_core::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
+use vcgpdm_core::models::{
     Dataset, Health, ModelKind, Setbacks, Settings, Source, VariationalSettings, with_bones_of,
 };
 

@@ -17,7 +17,7 @@ use crate::clips;
 use crate::files;
 use crate::health::{advice, health_of, warning};
 use crate::numbers::check_fps;
-use crate::progress::say;
+use crate::task::say;
 use crate::usage::usage;
 use body::with_hint;
 use clap_lex::OsStrExt;
@@ -26,12 +26,12 @@ use std::error::Error;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use vcgpdm::models::variational::VariationalTrainer;
-use vcgpdm::models::{
+use vcgpdm_core::models::variational::VariationalTrainer;
+use vcgpdm_core::models::{
     ColumnMapping, Dataset, FittedModel, Health, Model, ModelKind, Provenance, Settings, Source, Trainer,
     VariationalSettings, with_bones_of,
 };
-use vcgpdm::motion::Clip;
+use vcgpdm_core::motion::Clip;
 use vcgpdm_lab::golden::Case;
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {

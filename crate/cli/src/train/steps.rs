@@ -1,10 +1,8 @@
 //! The steps of a training.
 
-use crate::interrupt;
-use crate::progress::{Progress as Bar, say};
+use crate::task::{Task, say};
 use std::error::Error;
-use std::sync::atomic::Ordering;
-use vcgpdm::models::{ColumnMapping, Dataset, Progress, Settings, TrainingCost};
+use vcgpdm_core::models::{ColumnMapping, Dataset, Progress, Settings, TrainingCost};
 
 /// Above these seconds and bytes a warning comes before the training: half an hour, and the memory of a small
 /// machine.
@@ -40,21 +38,20 @@ pub fn say_others(warnings: &[String], said: &[String]) {
 
 /// Trains to the end, or until Ctrl-C or SIGTERM, which keep the best so far. Returns why the training ended.
 pub fn train_steps(mut step: impl FnMut() -> Progress, objective: &str) -> Result<String, Box<dyn Error>> {
-    let stopped = interrupt::flag()?;
-    let mut bar = Bar::new("at most");
+    let task = Task::new("at most")?;
     loop {
         let progress = step();
         // Not the share of the iterations: a search for the number of primitives may end long before the
         // largest number.
-        bar.show(progress.fraction, || {
+        task.show(progress.fraction, || {
             let phase = progress.phase.map_or(String::new(), |phase| format!(", {phase}"));
             let (iteration, most, best) = (progress.iteration, progress.max_iterations, progress.best);
             format!("{iteration}/{most}  {objective} {best:.1}{phase}")
         });
-        if progress.done || stopped.load(Ordering::Relaxed) {
-            bar.finish();
+        if progress.done || task.is_stopped() {
+            task.finish();
             if progress.setbacks.any() {
-                bar.note(&progress.setbacks.to_string());
+                task.note(&progress.setbacks.to_string());
             }
             return Ok(progress.reason.map_or_else(|| "stopped".to_owned(), |reason| reason.to_string()));
         }

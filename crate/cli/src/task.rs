@@ -1,8 +1,15 @@
-//! Progress on stderr: a bar on a terminal; in a log, such as that of a scheduler, a line every minute.
+//! A long task of the program: its progress on stderr, and whether it is to stop.
+//!
+//! On a terminal the progress is a bar; in a log, such as that of a scheduler, a line every minute.
 
 use crate::files;
 use indicatif::{ProgressBar, ProgressStyle};
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
+use std::error::Error;
 use std::io::{IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Time between two lines of a log.
@@ -11,28 +18,49 @@ const INTERVAL: Duration = Duration::from_secs(60);
 /// Steps of the bar.
 const STEPS: f64 = 1000.0;
 
-pub struct Progress {
+/// A task that several threads may do. It stops at Ctrl-C or SIGTERM, and keeps the best so far.
+pub struct Task {
+    stopped: Arc<AtomicBool>,
     bar: ProgressBar,
     /// Absent on a terminal.
-    log: Option<Log>,
+    log: Option<Mutex<Log>>,
 }
 
-impl Progress {
-    /// `precision` of the estimated time that is left: "at most" or "about".
-    pub fn new(precision: &str) -> Self {
+impl Task {
+    /// `precision` of the estimated time that is left: "at most" or "about". The first Ctrl-C or SIGTERM (the end of
+    /// a Slurm job's time) asks the task to stop, a second one ends the program at once. SIGHUP, the end of the
+    /// terminal, keeps its default action, so that `nohup` can switch it off.
+    pub fn new(precision: &str) -> Result<Self, Box<dyn Error>> {
+        let stopped = Arc::new(AtomicBool::new(false));
+        for signal in [SIGINT, SIGTERM] {
+            // The order matters: at the first signal the flag must still be false.
+            flag::register_conditional_shutdown(signal, 1, Arc::clone(&stopped))?;
+            flag::register(signal, Arc::clone(&stopped))?;
+        }
         let bar = ProgressBar::new(STEPS as u64);
         let template = format!("{{bar:30}} {{msg}}  {{elapsed}} ({precision} {{eta}} left)");
         if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style);
         }
-        Self { bar, log: (!std::io::stderr().is_terminal()).then(|| Log { last: Instant::now() }) }
+        let log = (!std::io::stderr().is_terminal()).then(|| Mutex::new(Log { last: Instant::now() }));
+        Ok(Self { stopped, bar, log })
+    }
+
+    /// Whether the task is to stop.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+
+    /// Asks all threads of the task to stop.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
     }
 
     /// Shows the finished fraction of the work, 0 to 1, and a message.
-    pub fn show(&mut self, fraction: f64, message: impl FnOnce() -> String) {
-        match &mut self.log {
+    pub fn show(&self, fraction: f64, message: impl FnOnce() -> String) {
+        match &self.log {
             Some(log) => {
-                if log.is_due(Instant::now()) {
+                if log.lock().unwrap_or_else(PoisonError::into_inner).is_due(Instant::now()) {
                     say(&message());
                 }
             }
@@ -44,9 +72,9 @@ impl Progress {
     }
 
     /// Writes to a log that a piece of the work has ended. On a terminal the bar shows this.
-    pub fn log(&mut self, message: impl FnOnce() -> String) {
-        if let Some(log) = &mut self.log {
-            log.last = Instant::now();
+    pub fn log(&self, message: impl FnOnce() -> String) {
+        if let Some(log) = &self.log {
+            log.lock().unwrap_or_else(PoisonError::into_inner).last = Instant::now();
             say(&message());
         }
     }
