@@ -12,9 +12,9 @@
 use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::Instant;
-use vcgpdm::models::variational::VariationalTrainer;
-use vcgpdm::models::{Dataset, RolloutRequest, Source, VariationalSettings};
-use vcgpdm::motion::{Clip, bvh, parts, samples};
+use vcgpdm_core::models::variational::VariationalTrainer;
+use vcgpdm_core::models::{Dataset, RolloutRequest, Source, VariationalSettings};
+use vcgpdm_core::motion::{Clip, bvh, parts, samples};
 use vcgpdm_lab::golden::Case;
 
 fn evaluation(case: &Case) -> Value {

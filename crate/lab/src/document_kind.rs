@@ -3,7 +3,7 @@
 use crate::evaluation::Results;
 use crate::perception::Study;
 use serde::Serialize;
-use vcgpdm::internals::json::{Value, outline};
+use vcgpdm_core::json::{Value, outline};
 
 /// A kind of JSON document: a model of a body or of tables, a library of primitives, results of a comparison,
 /// a study, a list (as the answers to a study are), or anything else.
@@ -43,9 +43,9 @@ impl DocumentKind {
         match text("format") {
             Study::FORMAT => Self::Study,
             Results::FORMAT => Self::Results,
-            vcgpdm::document::FORMAT if text("kind") == vcgpdm::document::LIBRARY => Self::Library,
-            vcgpdm::document::FORMAT if field("columns").is_some() => Self::SeriesModel,
-            vcgpdm::document::FORMAT => Self::Model,
+            vcgpdm_core::document::FORMAT if text("kind") == vcgpdm_core::document::LIBRARY => Self::Library,
+            vcgpdm_core::document::FORMAT if field("columns").is_some() => Self::SeriesModel,
+            vcgpdm_core::document::FORMAT => Self::Model,
             _ => Self::Unknown,
         }
     }

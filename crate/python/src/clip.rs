@@ -7,11 +7,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::fs;
 use std::path::PathBuf;
-use vcgpdm::motion::Clip as Motion;
-use vcgpdm::motion::bvh::read_at;
-use vcgpdm::motion::parts::presets;
-use vcgpdm::motion::stage::UpAxis;
-use vcgpdm::{sample_clip, sample_clips, write_bvh};
+use vcgpdm_core::motion::Clip as Motion;
+use vcgpdm_core::motion::bvh::read_at;
+use vcgpdm_core::motion::bvh::write as write_bvh;
+use vcgpdm_core::motion::parts::presets;
+use vcgpdm_core::motion::samples::{clip as sample_clip, list as sample_clips};
+use vcgpdm_core::motion::stage::UpAxis;
 
 /// A recorded motion of a body. A clip never changes: `cut`, `resample` and the others return new clips.
 #[pyclass(module = "vcgpdm", frozen)]
@@ -125,7 +126,7 @@ impl Clip {
 
     /// The same motion with the bones of `other`, whose joints must be the same.
     fn with_bones_of(&self, other: &Self) -> PyResult<Self> {
-        let clip = vcgpdm::models::with_bones_of(&self.clip, &other.clip).map_err(refused)?;
+        let clip = vcgpdm_core::models::with_bones_of(&self.clip, &other.clip).map_err(refused)?;
         Ok(Self { clip })
     }
 

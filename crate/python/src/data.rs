@@ -6,11 +6,12 @@ use crate::refused;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
-use vcgpdm::models::{Dataset, Source};
-use vcgpdm::motion::parts::{self, GivenJoint, GivenPart};
-use vcgpdm::motion::{Clip as Motion, Skeleton};
-use vcgpdm::series::{Columns, parse_parts, whole};
-use vcgpdm::{PartSpec, Table};
+use vcgpdm_core::models::{Dataset, Source};
+use vcgpdm_core::motion::parts::PartSpec;
+use vcgpdm_core::motion::parts::{self, GivenJoint, GivenPart};
+use vcgpdm_core::motion::{Clip as Motion, Skeleton};
+use vcgpdm_core::series::Table;
+use vcgpdm_core::series::{Columns, parse_parts, whole};
 
 /// A data set of either kind.
 pub enum Data {

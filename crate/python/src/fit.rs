@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use std::ffi::CString;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-use vcgpdm::models::{ColumnMapping, Dataset, Model, Progress as State, Settings, Trainer};
+use vcgpdm_core::models::{ColumnMapping, Dataset, Model, Progress as State, Settings, Trainer};
 
 /// Without a progress function, Ctrl-C is looked for this often.
 const PATIENCE: Duration = Duration::from_millis(50);

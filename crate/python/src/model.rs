@@ -15,8 +15,8 @@ use pyo3::types::{PyDict, PyList};
 use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
-use vcgpdm::document::Document;
-use vcgpdm::models::{
+use vcgpdm_core::document::Document;
+use vcgpdm_core::models::{
     BALANCED, ColumnMapping, Coupled, MOST_SAMPLES, PoseWeight, Reading, RolloutRequest, Settings,
     VariationalSettings, check_couplings, coupling_weight_matrix,
 };
@@ -290,7 +290,7 @@ impl Vcgpdm {
             reading: read_reading(reading)?,
             ..self.request(py, [frames, sequence, frame], alpha)?
         };
-        let rollout = |rollout: vcgpdm::Rollout| {
+        let rollout = |rollout: vcgpdm_core::models::Rollout| {
             Bound::new(py, Rollout::new(Arc::clone(&self.trained), request.clone(), rollout))
         };
         if let Some(after) = after {

@@ -9,19 +9,23 @@ use numpy::{PyArray2, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
-use vcgpdm::RolloutRequest;
-use vcgpdm::models::Coupled;
+use vcgpdm_core::models::Coupled;
+use vcgpdm_core::models::RolloutRequest;
 
 /// A new movement: columns, latents and weights; of a body also positions and a clip.
 #[pyclass(module = "vcgpdm", frozen)]
 pub struct Rollout {
     trained: Arc<Trained>,
     request: RolloutRequest,
-    rollout: vcgpdm::Rollout,
+    rollout: vcgpdm_core::models::Rollout,
 }
 
 impl Rollout {
-    pub fn new(trained: Arc<Trained>, request: RolloutRequest, rollout: vcgpdm::Rollout) -> Self {
+    pub fn new(
+        trained: Arc<Trained>,
+        request: RolloutRequest,
+        rollout: vcgpdm_core::models::Rollout,
+    ) -> Self {
         Self { trained, request, rollout }
     }
 

@@ -6,8 +6,8 @@ use crate::refused;
 use nalgebra::DMatrix;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use vcgpdm::Rollout;
-use vcgpdm::models::{ColumnMapping, Coupled, Model, RolloutRequest, SeriesModel};
+use vcgpdm_core::models::Rollout;
+use vcgpdm_core::models::{ColumnMapping, Coupled, Model, RolloutRequest, SeriesModel};
 
 /// A model of a body or of tables.
 pub enum Trained {

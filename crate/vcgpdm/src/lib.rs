@@ -47,109 +47,40 @@
 //!
 //! The examples `train`, `rollout`, `couplings` and `own_data` are short programs for the usual tasks.
 
-// Tests need not give the same bits on every platform.
-#![cfg_attr(test, allow(clippy::disallowed_methods))]
-// Without the feature, code that only the other crates of this project use is dead.
-#![cfg_attr(not(feature = "internals"), allow(dead_code, unused_imports))]
-
-#[doc(hidden)]
-pub mod coded;
-mod elementary;
-mod encoding;
-mod json;
-mod plural;
-
-// The feature makes these modules public for the other crates of this project.
-#[cfg(not(feature = "internals"))]
-mod document;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod document;
-#[cfg(not(feature = "internals"))]
-mod gp;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod gp;
-#[cfg(not(feature = "internals"))]
-mod models;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod models;
-#[cfg(not(feature = "internals"))]
-mod motion;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod motion;
-#[cfg(not(feature = "internals"))]
-mod series;
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub mod series;
-
-pub use document::{Document, DocumentError};
-pub use gp::NumericsError;
-pub use json::JsonError;
-pub use models::library::{
-    CombinationError, CouplingTrainer, CouplingsFrom, EncodedClip, Leader, LearnedMovement, Library,
-    LibraryError, LibraryPlan, LibraryTrainer, MergeError, Misfit, PartMotion, PlanError, PlannedMovement,
-    Primitive, Recogniser, Recognition, RecognitionError, Segment, TrainedLibrary, WalkError,
+#[doc(inline)]
+pub use vcgpdm_core::{
+    document::{Document, DocumentError},
+    gp::NumericsError,
+    json::JsonError,
+    models::library::{
+        CombinationError, CouplingTrainer, CouplingsFrom, EncodedClip, Leader, LearnedMovement, Library,
+        LibraryError, LibraryPlan, LibraryTrainer, MergeError, Misfit, PartMotion, PlanError,
+        PlannedMovement, Primitive, Recogniser, Recognition, RecognitionError, Segment, TrainedLibrary,
+        WalkError,
+    },
+    models::variational::{
+        BoundTerms, LatentMoments, PartPredictions, Prediction, PredictiveDynamics, VariationalTrainer,
+        Vcgpdm,
+    },
+    models::{
+        Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason,
+        Ending, Endless, EndlessFrames, Handles, Health, MapSettings, Model, ModelKind, Pace, PartPoses,
+        PosePush, PoseWeight, Progress, Provenance, Push, Reading, Rollout, RolloutError, RolloutRequest,
+        SequenceInfo, SequencesError, SeriesModel, Setbacks, Settings, Source, TmpSettings, Trainer,
+        TrainingCost, TrainingError, TrainingPhase, VariationalSettings, coupling_weight_matrix,
+    },
+    motion::asf::{AsfError, File as AsfFile, read as read_asf},
+    motion::bvh::{BvhError, BvhProblem, read as read_bvh, write as write_bvh},
+    motion::parts::{PartSpec, PartsError, PartsLayout, PartsPreset, presets as part_presets},
+    motion::pose::{Column, ColumnKind, PoseError, PoseMapping},
+    motion::samples::{SampleInfo, clip as sample_clip, list as sample_clips},
+    motion::skeleton::{Channel, FigureNode, Joint, LocalPose, Skeleton, SkeletonError, WorldPose},
+    motion::stage::UpAxis,
+    motion::{BodyMismatch, Clip, ClipError, Recording, UnknownJoint},
+    series::{
+        Columns, SeriesError, Table, parse_parts as column_parts, read as read_csv, write as write_csv,
+    },
 };
-pub use models::variational::{
-    BoundTerms, LatentMoments, PartPredictions, Prediction, PredictiveDynamics, VariationalTrainer, Vcgpdm,
-};
-pub use models::{
-    Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Ending,
-    Endless, EndlessFrames, Handles, Health, MapSettings, Model, ModelKind, Pace, PartPoses, PosePush,
-    PoseWeight, Progress, Provenance, Push, Reading, Rollout, RolloutError, RolloutRequest, SequenceInfo,
-    SequencesError, SeriesModel, Setbacks, Settings, Source, TmpSettings, Trainer, TrainingCost,
-    TrainingError, TrainingPhase, VariationalSettings, coupling_weight_matrix,
-};
-pub use motion::asf::{AsfError, File as AsfFile, read as read_asf};
-pub use motion::bvh::{BvhError, BvhProblem, read as read_bvh, write as write_bvh};
-pub use motion::parts::{PartSpec, PartsError, PartsLayout, PartsPreset, presets as part_presets};
-pub use motion::pose::{Column, ColumnKind, PoseError, PoseMapping};
-pub use motion::samples::{SampleInfo, clip as sample_clip, list as sample_clips};
-pub use motion::skeleton::{Channel, FigureNode, Joint, LocalPose, Skeleton, SkeletonError, WorldPose};
-pub use motion::stage::UpAxis;
-pub use motion::{BodyMismatch, Clip, ClipError, Recording, UnknownJoint};
-pub use series::{
-    Columns, SeriesError, Table, parse_parts as column_parts, read as read_csv, write as write_csv,
-};
-
-/// For the other crates of this project: semantic versioning does not cover it, and any version may change
-/// it.
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-#[allow(missing_docs)]
-pub mod internals {
-    pub use crate::document::{read_settings, write_settings};
-    pub use crate::elementary::Elementary;
-    pub use crate::gp::linalg::{Factor, block_diagonal};
-    pub use crate::motion::clip::sha256;
-    pub use crate::plural::counted;
-    pub use crate::series::records::records;
-
-    use crate::models::{DatasetError, Progress, Provenance, SequenceInfo, Settings, TrainingError};
-
-    pub mod json {
-        pub use crate::json::*;
-    }
-
-    /// A training error that names the clip instead of the number of its sequence.
-    pub fn dataset_error(reason: TrainingError, sequences: &[SequenceInfo]) -> DatasetError {
-        DatasetError::from_training(reason, sequences)
-    }
-
-    /// The provenance of the model of a training that is this far.
-    pub fn provenance(
-        settings: Settings,
-        seed: u32,
-        frames_per_second: f64,
-        progress: &Progress,
-    ) -> Provenance {
-        Provenance::of_training(settings, seed, frames_per_second, progress)
-    }
-}
 
 /// The version of nalgebra whose matrices are in the signatures.
 pub use nalgebra;

@@ -4,9 +4,9 @@
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use vcgpdm::models::variational::VariationalTrainer;
-use vcgpdm::models::{Dataset, Source, VariationalSettings};
-use vcgpdm::motion::{parts, samples};
+use vcgpdm_core::models::variational::VariationalTrainer;
+use vcgpdm_core::models::{Dataset, Source, VariationalSettings};
+use vcgpdm_core::motion::{parts, samples};
 
 struct Counting;
 

@@ -22,13 +22,13 @@ use crate::models::rollout::Parts;
 use crate::models::settings::{Part, Task};
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
-use vcgpdm::models::library::PartMotion;
-use vcgpdm::models::variational::LatentField;
-use vcgpdm::models::{
+use vcgpdm_core::models::library::PartMotion;
+use vcgpdm_core::models::variational::LatentField;
+use vcgpdm_core::models::{
     Health, LatentLogDensity, Progress, RolloutRequest, Settings, TrainingCost, VariationalSettings,
 };
-use vcgpdm::motion::measures::Measures;
-use vcgpdm::motion::samples::SampleInfo;
+use vcgpdm_core::motion::measures::Measures;
+use vcgpdm_core::motion::samples::SampleInfo;
 use vcgpdm_lab::DocumentKind;
 use vcgpdm_lab::evaluation::{Comparison, Finished, Outcome, Plan, PlannedJob, Rival, Setting};
 use vcgpdm_lab::perception::{FigureTable, PerceptionResults, Preset, StudyTrial};

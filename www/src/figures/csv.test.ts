@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { csv, FORMULA_SIGNS } from "./csv";
-import library from "../../../crate/vcgpdm/src/series/csv.rs?raw";
+import library from "../../../crate/core/src/series/csv.rs?raw";
 
 it("quotes fields with special characters, and ends each line with CR and LF", () => {
   expect(

@@ -4,8 +4,8 @@ use crate::call::{fails, folder, json_and_stderr, one_frame, prints, text};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
-use vcgpdm::models::Model;
-use vcgpdm::models::library::{CouplingsFrom, TrainedLibrary};
+use vcgpdm_core::models::Model;
+use vcgpdm_core::models::library::{CouplingsFrom, TrainedLibrary};
 
 fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&prints(arguments)).unwrap()

@@ -4,12 +4,12 @@ use crate::call::{fails, folder, json_and_stderr, prints, text};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use vcgpdm::models::variational::LARGEST_COUPLING;
-use vcgpdm::models::{
+use vcgpdm_core::models::variational::LARGEST_COUPLING;
+use vcgpdm_core::models::{
     Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, Movements, PoseWeight, Sequence, Settings,
     Source, TmpSettings, VariationalSettings,
 };
-use vcgpdm::motion::{Clip, bvh, parts, samples};
+use vcgpdm_core::motion::{Clip, bvh, parts, samples};
 use vcgpdm_lab::evaluation::dtw_mse;
 
 const FPS: f64 = 12.0;

@@ -4,7 +4,7 @@ use crate::call::{folder, json_and_stderr, text};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use vcgpdm::motion::{bvh, samples};
+use vcgpdm_core::motion::{bvh, samples};
 
 fn train(clip: &str, out: &Path, more: &[&str]) -> (Value, String) {
     let train = ["train", clip, "--parts", "lower,upper", "--fps", "15", "--out", text(out)];

@@ -127,7 +127,7 @@ fn gives_the_same_results_as_the_npm_package() {
     // The test of the npm package compares with the same file.
     let mut stored = read(&of_project("tests/perception/results.json"));
     // The version does not count.
-    stored["engine"] = vcgpdm::models::ENGINE.into();
+    stored["engine"] = vcgpdm_core::models::ENGINE.into();
     assert_close(&read(&out), &stored, "results");
     for words in [
         "| p1 | 52 | 0 | 4 of 4 |",

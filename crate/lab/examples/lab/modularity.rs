@@ -5,8 +5,8 @@
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
-use vcgpdm::models::Reading;
-use vcgpdm::models::library::TrainedLibrary;
+use vcgpdm_core::models::Reading;
+use vcgpdm_core::models::library::TrainedLibrary;
 use vcgpdm_lab::evaluation::stats::{mean, mean_interval, standard_error};
 use vcgpdm_lab::evaluation::{ModularityTest, Trained};
 

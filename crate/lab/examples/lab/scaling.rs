@@ -8,9 +8,9 @@ use clap::Args;
 use nalgebra::DMatrix;
 use std::process::Command;
 use std::time::Instant;
-use vcgpdm::models::variational::VariationalTrainer;
-use vcgpdm::models::{Dataset, MapSettings, Movements, Sequence, Settings, Source, VariationalSettings};
-use vcgpdm::motion::{parts, samples};
+use vcgpdm_core::models::variational::VariationalTrainer;
+use vcgpdm_core::models::{Dataset, MapSettings, Movements, Sequence, Settings, Source, VariationalSettings};
+use vcgpdm_core::motion::{parts, samples};
 use vcgpdm_lab::evaluation::stats::{exponent, median};
 
 #[derive(Args)]

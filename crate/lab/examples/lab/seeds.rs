@@ -7,10 +7,10 @@ use crate::parallel::each_seed;
 use clap::Args;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::models::{
+use vcgpdm_core::models::{
     Dataset, Ending, Health, PoseWeight, RolloutRequest, Source, Trainer, VariationalSettings, best_to_show,
 };
-use vcgpdm::motion::{Clip, bvh, parts, samples};
+use vcgpdm_core::motion::{Clip, bvh, parts, samples};
 use vcgpdm_lab::evaluation::TrainingTrials;
 
 const FRAMES_PER_SECOND: f64 = 30.0;

@@ -4,7 +4,7 @@
 use crate::parallel::each_seed;
 use clap::Args;
 use std::time::Instant;
-use vcgpdm::models::VariationalSettings;
+use vcgpdm_core::models::VariationalSettings;
 use vcgpdm_lab::evaluation::Effect;
 use vcgpdm_lab::synthetic::{DRIVE, Experiment, Findings, Fit, Snapshot, Synthetic};
 

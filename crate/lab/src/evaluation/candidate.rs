@@ -3,7 +3,7 @@
 use crate::evaluation::rivals::Rival;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use vcgpdm::models::{
+use vcgpdm_core::models::{
     DmpSettings, MapSettings, ModelKind, Settings, TmpSettings, TrainingCost, VariationalSettings,
 };
 

@@ -2,8 +2,8 @@
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::rivals::Rival;
-use vcgpdm::internals::counted;
-use vcgpdm::models::{PoseWeight, Settings};
+use vcgpdm_core::models::{PoseWeight, Settings};
+use vcgpdm_core::plural::counted;
 
 /// The settings of a GPDM besides its size.
 #[derive(Clone, Copy, PartialEq)]

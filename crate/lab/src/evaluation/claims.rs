@@ -14,9 +14,9 @@ use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
 use crate::evaluation::stats::{Interval, median, values_needed};
 use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
 use std::ops::Range;
-use vcgpdm::internals::counted;
-use vcgpdm::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
-use vcgpdm::models::{ModelKind, Settings, VariationalSettings};
+use vcgpdm_core::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
+use vcgpdm_core::models::{ModelKind, Settings, VariationalSettings};
+use vcgpdm_core::plural::counted;
 
 /// A sentence of a paper, with its year and section.
 struct Sentence(&'static str, &'static str);

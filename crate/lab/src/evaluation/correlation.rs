@@ -12,7 +12,7 @@ use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
 use crate::evaluation::stats::{bootstrap_interval, exponent_interval, mean, rank_correlation};
 use crate::evaluation::summary::{BoundAndError, Correlation, Evidence, FramesAndTime, Growth};
 use std::collections::{BTreeMap, BTreeSet};
-use vcgpdm::models::ModelKind;
+use vcgpdm_core::models::ModelKind;
 
 /// One correlation for every kind of model and all its settings but the size.
 pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {

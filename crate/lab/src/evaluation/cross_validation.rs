@@ -11,13 +11,12 @@ use crate::evaluation::training_trials::{TrainingTrials, fold_model};
 use nalgebra::DMatrix;
 use serde::de::IgnoredAny;
 use std::borrow::Cow;
-use vcgpdm::internals::{dataset_error, provenance};
-use vcgpdm::models::{
-    Body, Dataset, EndReason, FittedModel, Learner, Model, Movements, Progress, RolloutError, Setbacks,
-    Settings, Source, score_and_columns,
+use vcgpdm_core::models::{
+    Body, Dataset, DatasetError, EndReason, FittedModel, Learner, Model, Movements, Progress, Provenance,
+    RolloutError, Setbacks, Settings, Source, score_and_columns,
 };
-use vcgpdm::motion::Clip;
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::motion::Clip;
+use vcgpdm_core::motion::parts::PartSpec;
 
 /// Default number of first frames from which a trial is predicted. Velychko et al. (2018) have 2.
 pub const START_FRAMES: usize = 5;
@@ -102,7 +101,7 @@ impl Fold {
         seed: u32,
         training: &Progress,
     ) -> Result<Model, EvaluationError> {
-        let provenance = provenance(candidate.clone(), seed, self.frames_per_second, training);
+        let provenance = Provenance::of_training(candidate.clone(), seed, self.frames_per_second, training);
         Ok(fold_model(fitted, self.body(), provenance)?)
     }
 
@@ -123,7 +122,8 @@ impl Fold {
             Candidate::Model(settings) => settings,
             Candidate::Rival(rival) => {
                 let fitted = rival.fit(self.movements());
-                let model = fitted.map_err(|reason| dataset_error(reason, &self.body().sequences))?;
+                let model =
+                    fitted.map_err(|reason| DatasetError::from_training(reason, &self.body().sequences))?;
                 let trained = seconds() - begin;
                 let error = self.training.error(&*model);
                 let outcome = self.scored(&*model, &regression(error), trained, error)?;
@@ -250,7 +250,7 @@ fn training_of(
         return Err(EvaluationError::OnePart { model: kind.id() });
     }
     let learner = candidate.learner(movements, seed);
-    Ok(learner.map_err(|reason| dataset_error(reason, &training.body().sequences))?)
+    Ok(learner.map_err(|reason| DatasetError::from_training(reason, &training.body().sequences))?)
 }
 
 /// The learner after its last step. `watch` is called after every step; if it returns false, there is none.
@@ -272,9 +272,10 @@ fn trained(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::models::dmp::Dmp;
-    use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Sequence, TmpSettings, VariationalSettings};
-    use vcgpdm::motion::{parts, samples};
+    use vcgpdm_core::models::{
+        DmpSettings, MapSettings, ModelKind, Sequence, TmpSettings, VariationalSettings,
+    };
+    use vcgpdm_core::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
         samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect()
@@ -438,8 +439,8 @@ mod tests {
     fn constant_model(fold: &Fold, value: f64) -> FittedModel {
         let settings = Settings::DmpRhythmic(DmpSettings { bases: 5 });
         let mut learned = fold.learner(&settings, 0).unwrap().model().unwrap();
-        let FittedModel::Dmp(model) = &mut learned else { panic!("another kind of model") };
-        let Dmp::Rhythmic(model) = &mut **model else { panic!("a discrete DMP") };
+        let FittedModel::Dmp(model) = &mut learned else { panic!("no DMP") };
+        let vcgpdm_core::models::dmp::Dmp::Rhythmic(model) = model.as_mut() else { panic!("a discrete DMP") };
         model.weights.fill(0.0);
         model.centre.fill(value);
         for start in &mut model.starts {

@@ -3,9 +3,9 @@
 
 use nalgebra::DMatrix;
 use thiserror::Error;
-use vcgpdm::models::{Alignment, Dataset, DatasetError, PhaseAxis, PhaseMap, Source, Trial};
-use vcgpdm::motion::parts::PartSpec;
-use vcgpdm::motion::{Clip, ClipError};
+use vcgpdm_core::models::{Alignment, Dataset, DatasetError, PhaseAxis, PhaseMap, Source, Trial};
+use vcgpdm_core::motion::parts::PartSpec;
+use vcgpdm_core::motion::{Clip, ClipError};
 
 /// Number of phases of the cycle where cuts can begin.
 const PHASES: usize = 32;
@@ -92,7 +92,7 @@ fn cycles(map: &PhaseMap, frames: usize, place: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::motion::samples;
+    use vcgpdm_core::motion::samples;
 
     #[test]
     fn walks_hold_equally_many_cycles_from_the_same_place() {

@@ -4,9 +4,9 @@ use crate::evaluation::predictor::{Forecast, Predictor};
 use crate::evaluation::training_trials::TrainingTrials;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
-use vcgpdm::internals::Elementary;
-use vcgpdm::models::dtw_mse;
-use vcgpdm::motion::measures::measures;
+use vcgpdm_core::elementary::Elementary;
+use vcgpdm_core::models::dtw_mse;
+use vcgpdm_core::motion::measures::measures;
 
 /// The time after the given frames over which frames are compared one by one, in seconds.
 const SOON: f64 = 0.5;
@@ -170,8 +170,8 @@ mod tests {
     use crate::evaluation::cross_validation::{Fold, START_FRAMES};
     use crate::evaluation::rivals::Rival;
     use approx::assert_relative_eq;
-    use vcgpdm::models::{DmpSettings, Settings, VariationalSettings};
-    use vcgpdm::motion::{parts, samples};
+    use vcgpdm_core::models::{DmpSettings, Settings, VariationalSettings};
+    use vcgpdm_core::motion::{parts, samples};
 
     #[test]
     fn knows_more_of_a_prediction_than_its_error() {

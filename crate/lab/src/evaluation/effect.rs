@@ -6,7 +6,7 @@ use crate::evaluation::rows::{Row, common_folds};
 use crate::evaluation::stats::{Interval, mean, mean_interval, median, median_interval};
 use crate::evaluation::summary::ClaimAnswer;
 use std::collections::BTreeMap;
-use vcgpdm::internals::Elementary;
+use vcgpdm_core::elementary::Elementary;
 
 /// Errors by the trial held out.
 pub type Errors = BTreeMap<usize, f64>;

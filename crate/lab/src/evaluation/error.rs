@@ -1,12 +1,12 @@
 //! Why a model could not be evaluated.
 
 use thiserror::Error;
-use vcgpdm::gp::NumericsError;
-use vcgpdm::models::library::{CombinationError, PlanError};
-use vcgpdm::models::variational::ObservationError;
-use vcgpdm::models::{DatasetError, RolloutError, ScoreError};
-use vcgpdm::motion::ClipError;
-use vcgpdm::motion::pose::PoseError;
+use vcgpdm_core::gp::NumericsError;
+use vcgpdm_core::models::library::{CombinationError, PlanError};
+use vcgpdm_core::models::variational::ObservationError;
+use vcgpdm_core::models::{DatasetError, RolloutError, ScoreError};
+use vcgpdm_core::motion::ClipError;
+use vcgpdm_core::motion::pose::PoseError;
 
 /// Why a model could not be evaluated.
 #[derive(Debug, Error)]
@@ -97,7 +97,7 @@ impl From<ObservationError> for EvaluationError {
     }
 }
 
-vcgpdm::coded!(EvaluationError {
+vcgpdm_core::coded!(EvaluationError {
     Self::Dataset(reason) => reason.code(),
     Self::Clip(reason) => reason.code(),
     Self::Pose(reason) => reason.code(),

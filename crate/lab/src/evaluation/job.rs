@@ -5,9 +5,9 @@ use crate::evaluation::candidate_text::every_setting;
 use crate::evaluation::outcome::Outcome;
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
-use vcgpdm::models::{ENGINE, TrainingCost};
-use vcgpdm::motion::Clip;
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::models::{ENGINE, TrainingCost};
+use vcgpdm_core::motion::Clip;
+use vcgpdm_core::motion::parts::PartSpec;
 
 /// One candidate in one fold with one seed.
 ///
@@ -17,7 +17,7 @@ use vcgpdm::motion::parts::PartSpec;
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Job {
     /// The kind of model with its settings.
-    #[cfg_attr(feature = "types", ts(as = "vcgpdm::models::Settings"))]
+    #[cfg_attr(feature = "types", ts(as = "vcgpdm_core::models::Settings"))]
     pub candidate: Candidate,
     /// The held-out trial, counted from 0.
     pub held_out: usize,
@@ -125,7 +125,7 @@ mod tests {
     use super::*;
     use crate::evaluation::testing::{map, variational};
     use std::collections::BTreeSet;
-    use vcgpdm::models::{DmpSettings, PoseWeight, Settings, TmpSettings, VariationalSettings};
+    use vcgpdm_core::models::{DmpSettings, PoseWeight, Settings, TmpSettings, VariationalSettings};
 
     #[test]
     fn counts_the_trial_from_0_in_programs_and_from_1_in_files_and_texts() {
@@ -187,8 +187,8 @@ mod tests {
 mod cost_tests {
     use super::*;
     use crate::evaluation::testing::{map, variational};
-    use vcgpdm::models::Settings;
-    use vcgpdm::motion::{parts, samples};
+    use vcgpdm_core::models::Settings;
+    use vcgpdm_core::motion::{parts, samples};
 
     #[test]
     fn the_cost_follows_the_training_trials() {

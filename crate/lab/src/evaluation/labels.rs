@@ -86,7 +86,9 @@ mod tests {
     use super::*;
     use crate::evaluation::job::{Finished, Job};
     use crate::evaluation::testing::setting;
-    use vcgpdm::models::{DmpSettings, MapSettings, PoseWeight, Settings, TmpSettings, VariationalSettings};
+    use vcgpdm_core::models::{
+        DmpSettings, MapSettings, PoseWeight, Settings, TmpSettings, VariationalSettings,
+    };
 
     fn gpdm(max_iterations: usize, latent: usize) -> VariationalSettings {
         VariationalSettings {

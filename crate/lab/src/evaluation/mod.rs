@@ -57,4 +57,4 @@ pub use summary::{
     ModelSummary, Spread, TermMeans,
 };
 pub use training_trials::TrainingTrials;
-pub use vcgpdm::models::{Score, ScoreError, dtw_mse};
+pub use vcgpdm_core::models::{Score, ScoreError, dtw_mse};

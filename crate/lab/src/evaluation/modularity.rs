@@ -4,10 +4,10 @@
 use crate::evaluation::error::EvaluationError;
 use nalgebra::DMatrix;
 use serde::Serialize;
-use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{Dataset, Score, Source, VariationalSettings, score_and_columns};
-use vcgpdm::motion::Clip;
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
+use vcgpdm_core::models::{Dataset, Score, Source, VariationalSettings, score_and_columns};
+use vcgpdm_core::motion::Clip;
+use vcgpdm_core::motion::parts::PartSpec;
 
 /// The trials of one movement.
 #[derive(Clone, Debug)]

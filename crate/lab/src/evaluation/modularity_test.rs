@@ -3,11 +3,11 @@
 use crate::evaluation::cross_validation::START_FRAMES;
 use crate::evaluation::error::EvaluationError;
 use crate::evaluation::modularity::{LibraryFold, LibraryOutcome, MovementTrials};
-use vcgpdm::models::Progress;
-use vcgpdm::models::VariationalSettings;
-use vcgpdm::models::library::{LibraryTrainer, TrainedLibrary};
-use vcgpdm::motion::parts::{PartSpec, presets};
-use vcgpdm::motion::samples;
+use vcgpdm_core::models::Progress;
+use vcgpdm_core::models::VariationalSettings;
+use vcgpdm_core::models::library::{LibraryTrainer, TrainedLibrary};
+use vcgpdm_core::motion::parts::{PartSpec, presets};
+use vcgpdm_core::motion::samples;
 
 /// The movements: their names here, and in the list of samples.
 const MOVEMENTS: [(&str, &str); 2] = [("walk", "walk"), ("wave", "walk and wave")];
@@ -193,7 +193,7 @@ impl FoldTraining {
 mod tests {
     use super::*;
     use crate::evaluation::Fold;
-    use vcgpdm::models::Settings;
+    use vcgpdm_core::models::Settings;
 
     fn test(iterations: usize) -> ModularityTest {
         let mut test = ModularityTest::on_samples();

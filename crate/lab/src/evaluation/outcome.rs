@@ -4,8 +4,8 @@ use crate::evaluation::details::Details;
 use crate::evaluation::stats::mean;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
-use vcgpdm::models::variational::BoundTerms;
-use vcgpdm::models::{EndReason, Score};
+use vcgpdm_core::models::variational::BoundTerms;
+use vcgpdm_core::models::{EndReason, Score};
 
 /// The outcome of one model in one fold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

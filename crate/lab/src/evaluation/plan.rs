@@ -6,7 +6,7 @@ use crate::evaluation::rivals::Rival;
 use serde::Deserialize;
 use std::collections::HashSet;
 use thiserror::Error;
-use vcgpdm::models::{
+use vcgpdm_core::models::{
     DmpSettings, MapSettings, ModelKind, PoseWeight, Settings, TmpSettings, VariationalSettings,
 };
 
@@ -14,7 +14,7 @@ use vcgpdm::models::{
 ///
 /// ```
 /// use vcgpdm_lab::evaluation::Plan;
-/// use vcgpdm::models::ModelKind;
+/// use vcgpdm_core::models::ModelKind;
 ///
 /// let models = vec![ModelKind::Vgpdm.into(), ModelKind::DmpRhythmic.into()];
 /// let plan = Plan { models, seeds: vec![0, 1], ..Plan::default() };
@@ -28,7 +28,7 @@ use vcgpdm::models::{
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Plan {
     /// The models to train. A body with one part has no coupled models.
-    #[cfg_attr(feature = "types", ts(as = "Vec<vcgpdm::models::ModelKind>"))]
+    #[cfg_attr(feature = "types", ts(as = "Vec<vcgpdm_core::models::ModelKind>"))]
     pub models: Vec<CandidateKind>,
     /// Latent dimensions Q of every part.
     pub latent: usize,
@@ -246,7 +246,7 @@ impl Plan {
     }
 }
 
-vcgpdm::coded!(ComparisonPlanError => Comparison);
+vcgpdm_core::coded!(ComparisonPlanError => Comparison);
 
 #[cfg(test)]
 mod tests {

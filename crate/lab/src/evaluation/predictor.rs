@@ -1,8 +1,8 @@
 //! What a comparison needs of a trained model.
 
 use nalgebra::DMatrix;
-use vcgpdm::models::variational::{BoundTerms, Vcgpdm};
-use vcgpdm::models::{FittedModel, Reading, RolloutError};
+use vcgpdm_core::models::variational::{BoundTerms, Vcgpdm};
+use vcgpdm_core::models::{FittedModel, Reading, RolloutError};
 
 /// Number of sampled futures from which the bands of a variational model are computed.
 const FUTURES: u64 = 100;

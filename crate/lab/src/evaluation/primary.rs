@@ -14,9 +14,10 @@ use crate::evaluation::rows::{Row, is_plain, settings};
 use crate::evaluation::stats::{holm, mean, mean_interval, median, sign_test, student_test, values_needed};
 use crate::evaluation::summary::{Claim, ClaimAnswer};
 use std::ops::Range;
-use vcgpdm::internals::{Elementary, counted};
-use vcgpdm::models::ModelKind::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
-use vcgpdm::models::{Settings, VariationalSettings};
+use vcgpdm_core::elementary::Elementary;
+use vcgpdm_core::models::ModelKind::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
+use vcgpdm_core::models::{Settings, VariationalSettings};
+use vcgpdm_core::plural::counted;
 
 const BETTER_THAN_MAP: &str = "\u{201c}It is significantly better than the full-capacity (no IPs) MAP models\u{201d}: the two-part vCGPDM";
 const PARTS_PAY: &str =

@@ -207,7 +207,7 @@ mod tests {
     use crate::evaluation::setting::SettingError;
     use crate::evaluation::testing::{outcome, setting, variational};
     use std::collections::HashSet;
-    use vcgpdm::models::{DmpSettings, ModelKind, Settings, TmpSettings};
+    use vcgpdm_core::models::{DmpSettings, ModelKind, Settings, TmpSettings};
 
     fn job(held_out: usize, training_trials: usize) -> Job {
         let candidate = Settings::Tmp(TmpSettings::default()).into();

@@ -125,7 +125,7 @@ pub(super) fn check_finished(finished: &Finished, index: usize, trials: usize) -
     Ok(())
 }
 
-vcgpdm::coded!(ResultsError => Results);
+vcgpdm_core::coded!(ResultsError => Results);
 
 /// The format and version of a document.
 #[derive(Deserialize)]

@@ -8,8 +8,8 @@ use crate::evaluation::results::Results;
 use crate::evaluation::stats::{mean, median};
 use crate::evaluation::summary::{DetailMeans, ModelSummary, Spread, TermMeans};
 use std::collections::{BTreeMap, BTreeSet};
-use vcgpdm::models::Settings;
-use vcgpdm::models::variational::BoundTerms;
+use vcgpdm_core::models::Settings;
+use vcgpdm_core::models::variational::BoundTerms;
 
 /// A candidate that was trained on all other trials, with at least one outcome.
 pub(super) struct Row<'a> {
@@ -228,7 +228,7 @@ impl Row<'_> {
 mod tests {
     use super::*;
     use crate::evaluation::testing::{finished, outcome, results, variational};
-    use vcgpdm::models::{DmpSettings, TmpSettings};
+    use vcgpdm_core::models::{DmpSettings, TmpSettings};
 
     #[test]
     fn orders_rows_by_model_and_size_whichever_finished_first() {

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
-use vcgpdm::motion::Clip;
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::motion::Clip;
+use vcgpdm_core::motion::parts::PartSpec;
 
 /// A trial, identified by the hash of its file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -152,7 +152,7 @@ impl Setting {
     }
 }
 
-vcgpdm::coded!(SettingError => Comparison);
+vcgpdm_core::coded!(SettingError => Comparison);
 
 #[cfg(test)]
 mod tests {

@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use serde::Serialize;
 use std::fmt;
-use vcgpdm::internals::Elementary;
+use vcgpdm_core::elementary::Elementary;
 
 /// The mean; NaN without values.
 pub fn mean(values: &[f64]) -> f64 {

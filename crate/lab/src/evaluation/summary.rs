@@ -121,7 +121,7 @@ pub struct BoundAndError {
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Correlation {
     /// The kind of model.
-    #[cfg_attr(feature = "types", ts(as = "vcgpdm::models::ModelKind"))]
+    #[cfg_attr(feature = "types", ts(as = "vcgpdm_core::models::ModelKind"))]
     pub model: CandidateKind,
     /// The settings that the candidates share; empty if the kind of model has only one group.
     pub label: String,
@@ -154,7 +154,7 @@ pub struct FramesAndTime {
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Growth {
     /// The kind of model.
-    #[cfg_attr(feature = "types", ts(as = "vcgpdm::models::ModelKind"))]
+    #[cfg_attr(feature = "types", ts(as = "vcgpdm_core::models::ModelKind"))]
     pub model: CandidateKind,
     /// Its settings, in a few words.
     pub label: String,

@@ -6,9 +6,9 @@ use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::Outcome;
 use crate::evaluation::results::Results;
 use crate::evaluation::setting::{Setting, TrialClip};
-use vcgpdm::models::Score;
-use vcgpdm::models::{MapSettings, VariationalSettings};
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::models::Score;
+use vcgpdm_core::models::{MapSettings, VariationalSettings};
+use vcgpdm_core::motion::parts::PartSpec;
 
 /// A setting of `trials` walks of a body with one named part.
 pub fn setting(trials: usize) -> Setting {

@@ -3,15 +3,15 @@
 use crate::evaluation::predictor::Predictor;
 use crate::evaluation::stats::mean;
 use nalgebra::DMatrix;
-use vcgpdm::gp::NumericsError;
-use vcgpdm::models::map::{MapModel, MapPoseMap};
-use vcgpdm::models::variational::PoseMap;
-use vcgpdm::models::{
+use vcgpdm_core::gp::NumericsError;
+use vcgpdm_core::models::map::{MapModel, MapPoseMap};
+use vcgpdm_core::models::variational::PoseMap;
+use vcgpdm_core::models::{
     Body, ColumnMapping, Dataset, DatasetError, FittedModel, Model, ModelKind, Movements, Provenance,
     RolloutError, Sequence, dtw_mse,
 };
-use vcgpdm::motion::parts::{PartsLayout, presets};
-use vcgpdm::motion::pose::PoseMapping;
+use vcgpdm_core::motion::parts::{PartsLayout, presets};
+use vcgpdm_core::motion::pose::PoseMapping;
 
 /// The trials of one data set.
 #[derive(Clone, Debug)]

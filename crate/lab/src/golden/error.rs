@@ -1,9 +1,9 @@
 //! Errors from reading or evaluating a golden case.
 
 use thiserror::Error;
-use vcgpdm::gp::NumericsError;
-use vcgpdm::models::variational::RepertoireError;
-use vcgpdm::models::{RolloutError, SequencesError};
+use vcgpdm_core::gp::NumericsError;
+use vcgpdm_core::models::variational::RepertoireError;
+use vcgpdm_core::models::{RolloutError, SequencesError};
 
 /// An error from reading or evaluating a case.
 #[derive(Debug, Error)]

@@ -7,9 +7,9 @@ use crate::golden::stored::StoredJson;
 use nalgebra::DMatrix;
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
-use vcgpdm::internals::json::place;
-use vcgpdm::models::Sequences;
-use vcgpdm::models::variational::{Objective, Params, Repertoire};
+use vcgpdm_core::json::place;
+use vcgpdm_core::models::Sequences;
+use vcgpdm_core::models::variational::{Objective, Params, Repertoire};
 
 #[derive(Deserialize)]
 struct Document<I> {

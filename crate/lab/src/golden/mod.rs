@@ -27,10 +27,10 @@ use crate::golden::shapes::{
 };
 pub use error::CaseError;
 pub use shapes::CaseResult;
-use vcgpdm::gp::NumericsError;
-use vcgpdm::models::MOST_FRAMES;
-use vcgpdm::models::variational::{BoundTerms, Objective, Params, Vcgpdm};
-use vcgpdm::models::{Parameters, Reading};
+use vcgpdm_core::gp::NumericsError;
+use vcgpdm_core::models::MOST_FRAMES;
+use vcgpdm_core::models::variational::{BoundTerms, Objective, Params, Vcgpdm};
+use vcgpdm_core::models::{Parameters, Reading};
 
 /// Data, parameters, and the rollouts to make.
 #[derive(Clone, Debug)]
@@ -153,7 +153,7 @@ impl Case {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
-    use vcgpdm::models::variational::PartParams;
+    use vcgpdm_core::models::variational::PartParams;
 
     /// The problem of a golden file.
     fn problem(text: &str) -> (Params, Objective) {

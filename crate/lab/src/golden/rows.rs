@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use vcgpdm::internals::json::rows::matrix_from_rows;
+use vcgpdm_core::json::rows::matrix_from_rows;
 
 /// The rows of a matrix.
 pub fn rows_of(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {

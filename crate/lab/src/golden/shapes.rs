@@ -4,10 +4,10 @@ use crate::golden::error::CaseError;
 use crate::golden::rows;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
-use vcgpdm::gp::bound::InducingPosterior;
-use vcgpdm::gp::{Gaussians, Kernel};
-use vcgpdm::internals::json::rows::matrix_from_rows;
-use vcgpdm::models::variational::{BoundTerms, Expert, Params, PartParams};
+use vcgpdm_core::gp::bound::InducingPosterior;
+use vcgpdm_core::gp::{Gaussians, Kernel};
+use vcgpdm_core::json::rows::matrix_from_rows;
+use vcgpdm_core::models::variational::{BoundTerms, Expert, Params, PartParams};
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct PartJson {

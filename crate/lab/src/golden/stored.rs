@@ -5,9 +5,9 @@ use crate::golden::rows;
 use crate::golden::shapes::shape;
 use nalgebra::DMatrix;
 use serde::Deserialize;
-use vcgpdm::gp::stored_outputs::StoredOutputs;
-use vcgpdm::internals::{Factor, block_diagonal};
-use vcgpdm::models::variational::{Params, StoredMaps};
+use vcgpdm_core::gp::linalg::{Factor, block_diagonal};
+use vcgpdm_core::gp::stored_outputs::StoredOutputs;
+use vcgpdm_core::models::variational::{Params, StoredMaps};
 
 /// Inducing outputs of the pose maps and of the first primitives; later primitives are new.
 #[derive(Deserialize)]

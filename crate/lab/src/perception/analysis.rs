@@ -15,7 +15,7 @@ use crate::perception::study::Study;
 use crate::perception::trials::TrialKind;
 use crate::perception::validation::log_bayes_factors;
 use thiserror::Error;
-use vcgpdm::models::ModelKind;
+use vcgpdm_core::models::ModelKind;
 
 /// Orders with a smaller probability are not listed.
 const UNLIKELY: f64 = 1e-3;
@@ -165,7 +165,7 @@ fn regression(
     })
 }
 
-vcgpdm::coded!(AnalysisError => Study);
+vcgpdm_core::coded!(AnalysisError => Study);
 
 #[cfg(test)]
 mod tests {

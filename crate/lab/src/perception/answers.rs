@@ -5,7 +5,7 @@ use crate::perception::study::Study;
 use crate::perception::trials::{NaturalSide, TrialKind};
 use std::collections::{HashMap, HashSet};
 use thiserror::Error;
-use vcgpdm::internals::json::{Field, FieldError, JsonError, Value, parse};
+use vcgpdm_core::json::{Field, FieldError, JsonError, Value, parse};
 
 /// Largest file; thousands of trials are smaller.
 const MOST_BYTES: usize = 64 << 20;
@@ -311,7 +311,7 @@ fn without_guard(field: &str) -> &str {
     }
 }
 
-vcgpdm::coded!(AnswersError => Study);
+vcgpdm_core::coded!(AnswersError => Study);
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,7 @@
 //! The posterior of a rate: exact sums over binomial terms.
 
 use serde::Serialize;
-use vcgpdm::internals::Elementary;
+use vcgpdm_core::elementary::Elementary;
 
 /// The posterior of a rate after `hits` of `trials`, from a uniform prior: beta(1 + hits, 1 + trials - hits).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -9,7 +9,7 @@ use crate::perception::results::{Confusion, MeanScores, Participant, SettingResu
 use crate::perception::stimulus::Generated;
 use crate::perception::study::Study;
 use crate::perception::trials::TrialKind;
-use vcgpdm::models::{ModelKind, Settings};
+use vcgpdm_core::models::{ModelKind, Settings};
 
 /// The answers of participants who paid attention.
 pub(super) struct Counted<'a> {

@@ -1,7 +1,7 @@
 //! Tables of answers: CSV whose rows have as many fields as the header.
 
 use thiserror::Error;
-use vcgpdm::internals::records;
+use vcgpdm_core::series::records::records;
 
 /// Why a text is not a table.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! The numbers of trials of a participant.
 
 use crate::perception::record::{Written, record, whole};
-use vcgpdm::internals::json::{Field, FieldError, Value};
+use vcgpdm_core::json::{Field, FieldError, Value};
 
 /// Most trials of a kind.
 const MOST_TRIALS: usize = 10_000;

@@ -4,7 +4,7 @@ use crate::perception::error::{MOST_BYTES, StudyError};
 use crate::perception::read;
 use crate::perception::study::Study;
 use crate::perception::write::{content, document};
-use vcgpdm::internals::json::{NotFinite, Value, parse, write};
+use vcgpdm_core::json::{NotFinite, Value, parse, write};
 
 impl Study {
     /// Reads a document. Every field is checked.
@@ -33,7 +33,7 @@ impl Study {
     /// # Errors
     /// A number is not finite.
     pub fn hash(&self) -> Result<String, StudyError> {
-        Ok(vcgpdm::internals::sha256(text(&content(self))?.as_bytes()))
+        Ok(vcgpdm_core::motion::sha256(text(&content(self))?.as_bytes()))
     }
 }
 

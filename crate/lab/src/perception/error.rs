@@ -1,7 +1,7 @@
 //! Why a text is not a study.
 
 use thiserror::Error;
-use vcgpdm::internals::json::{FieldError, HeadingError, JsonError};
+use vcgpdm_core::json::{FieldError, HeadingError, JsonError};
 
 /// The field "format" of a study's document.
 pub(super) const FORMAT: &str = "vcgpdm study";
@@ -67,4 +67,4 @@ impl From<HeadingError> for StudyError {
     }
 }
 
-vcgpdm::coded!(StudyError => Study);
+vcgpdm_core::coded!(StudyError => Study);

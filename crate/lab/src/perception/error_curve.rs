@@ -3,8 +3,8 @@
 use crate::evaluation::stats::mean;
 use crate::perception::regression::Standard;
 use crate::perception::results::{ErrorCurve, SettingResult};
-use vcgpdm::internals::Elementary;
-use vcgpdm::models::ModelKind;
+use vcgpdm_core::elementary::Elementary;
+use vcgpdm_core::models::ModelKind;
 
 /// The curve of each kind of model, over its settings with answers.
 pub(super) fn error_curves(settings: &[SettingResult]) -> Vec<ErrorCurve> {

@@ -179,6 +179,6 @@ fn number(value: Option<f64>) -> String {
     value.map_or(String::new(), |value| value.to_string())
 }
 
-fn model(kind: Option<vcgpdm::models::ModelKind>) -> String {
+fn model(kind: Option<vcgpdm_core::models::ModelKind>) -> String {
     kind.map_or("all", |kind| kind.id()).to_owned()
 }

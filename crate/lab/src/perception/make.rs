@@ -8,10 +8,10 @@ use crate::perception::staging::{StagingError, staged};
 use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use thiserror::Error;
-use vcgpdm::models::Settings;
-use vcgpdm::motion::Skeleton;
-use vcgpdm::motion::landmarks::Landmarks;
-use vcgpdm::motion::stage::STAGE_HEIGHT;
+use vcgpdm_core::models::Settings;
+use vcgpdm_core::motion::Skeleton;
+use vcgpdm_core::motion::landmarks::Landmarks;
+use vcgpdm_core::motion::stage::STAGE_HEIGHT;
 
 /// Unit of the stored positions in metres: a quarter of a pixel of a figure 400 pixels high.
 const UNIT: f64 = 0.001;
@@ -203,13 +203,13 @@ fn name(candidate: &Settings) -> String {
     format!("{}{size}", candidate.kind().id())
 }
 
-vcgpdm::coded!(MakerError => Study);
+vcgpdm_core::coded!(MakerError => Study);
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::models::TmpSettings;
-    use vcgpdm::motion::samples;
+    use vcgpdm_core::models::TmpSettings;
+    use vcgpdm_core::motion::samples;
 
     fn outcome(objective: f64) -> Outcome {
         let plain = crate::evaluation::testing::outcome(0.05, Some(objective), 10, 1.0);

@@ -169,7 +169,7 @@ fn number(letters: &mut std::str::Bytes) -> Result<i64, String> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
-    use vcgpdm::motion::samples;
+    use vcgpdm_core::motion::samples;
 
     #[test]
     fn stores_a_walk_in_a_short_text_within_half_a_unit() {

@@ -7,12 +7,12 @@ use crate::perception::record::{short, whole};
 use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use std::collections::HashSet;
-use vcgpdm::internals::json::checks::{bounded, count, within};
-use vcgpdm::internals::json::{Field, FieldError, Object, Value, check_heading};
-use vcgpdm::internals::read_settings;
-use vcgpdm::models::ModelKind;
-use vcgpdm::models::variational::BoundTerms;
-use vcgpdm::motion::landmarks::Landmarks;
+use vcgpdm_core::document::read_settings;
+use vcgpdm_core::json::checks::{bounded, count, within};
+use vcgpdm_core::json::{Field, FieldError, Object, Value, check_heading};
+use vcgpdm_core::models::ModelKind;
+use vcgpdm_core::models::variational::BoundTerms;
+use vcgpdm_core::motion::landmarks::Landmarks;
 
 const MOST_STIMULI: usize = 5_000;
 const MOST_NODES: usize = 500;

@@ -1,8 +1,8 @@
 //! Structs of which every line is a field in the library, in files, in JavaScript and in TypeScript at once.
 
 use std::ops::RangeInclusive;
-use vcgpdm::internals::json::checks::count;
-use vcgpdm::internals::json::{Field, FieldError, Value};
+use vcgpdm_core::json::checks::count;
+use vcgpdm_core::json::{Field, FieldError, Value};
 
 /// Declares a struct with a line for each field: its name, its type, and how a file's field is read and checked. A
 /// field that old files lack states after `=>` what its absence means.

@@ -2,7 +2,7 @@
 //! model (Knopp et al. 2019, equations 8 to 10).
 
 use crate::evaluation::stats::mean;
-use vcgpdm::internals::Elementary;
+use vcgpdm_core::elementary::Elementary;
 
 /// Fewest settings of a curve.
 const FEWEST_SETTINGS: usize = 3;

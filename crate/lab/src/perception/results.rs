@@ -3,8 +3,8 @@
 use crate::perception::beta::Rate;
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
-use vcgpdm::internals::Elementary;
-use vcgpdm::models::{ENGINE, ModelKind, Settings};
+use vcgpdm_core::elementary::Elementary;
+use vcgpdm_core::models::{ENGINE, ModelKind, Settings};
 
 /// The options that the analysis used.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

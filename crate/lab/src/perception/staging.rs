@@ -3,8 +3,8 @@
 
 use nalgebra::Vector3;
 use thiserror::Error;
-use vcgpdm::motion::Skeleton;
-use vcgpdm::motion::landmarks::facing;
+use vcgpdm_core::motion::Skeleton;
+use vcgpdm_core::motion::landmarks::facing;
 
 /// Speed in metres a second below which a body stands. A standing body is turned to its facing direction.
 const STANDS: f64 = 0.2;
@@ -124,7 +124,7 @@ fn ground(places: &[f64], width: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::motion::{Clip, samples};
+    use vcgpdm_core::motion::{Clip, samples};
 
     fn walk() -> Clip {
         samples::clip("walk-3").unwrap().resample(30.0).unwrap()

@@ -2,8 +2,8 @@
 
 use crate::evaluation::Outcome;
 use crate::perception::movement::FigureMovement;
-use vcgpdm::models::Settings;
-use vcgpdm::models::variational::BoundTerms;
+use vcgpdm_core::models::Settings;
+use vcgpdm_core::models::variational::BoundTerms;
 
 /// A movement of a study.
 #[derive(Clone, Debug, PartialEq)]

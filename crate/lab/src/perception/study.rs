@@ -6,8 +6,8 @@ use crate::perception::record::{Written, record, short};
 use crate::perception::stimulus::Stimulus;
 use serde::Serialize;
 use std::ops::RangeInclusive;
-use vcgpdm::internals::json::{Field, FieldError, Value};
-use vcgpdm::motion::landmarks::Landmarks;
+use vcgpdm_core::json::{Field, FieldError, Value};
+use vcgpdm_core::motion::landmarks::Landmarks;
 
 /// How the figures of a study are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -6,9 +6,9 @@ use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
-use vcgpdm::models::variational::BoundTerms;
-use vcgpdm::models::{DmpSettings, Settings, TmpSettings, VariationalSettings};
-use vcgpdm::motion::landmarks::Landmarks;
+use vcgpdm_core::models::variational::BoundTerms;
+use vcgpdm_core::models::{DmpSettings, Settings, TmpSettings, VariationalSettings};
+use vcgpdm_core::motion::landmarks::Landmarks;
 
 const FRAMES: usize = 36;
 

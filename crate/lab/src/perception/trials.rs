@@ -3,7 +3,7 @@
 use crate::perception::ordering::Draw;
 use crate::perception::study::Study;
 use serde::Serialize;
-use vcgpdm::models::Settings;
+use vcgpdm_core::models::Settings;
 
 /// The kind of a trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -4,7 +4,7 @@
 use crate::evaluation::stats::{mean, standard_error};
 use crate::perception::ordering::Draw;
 use crate::perception::regression::{Curve, Point};
-use vcgpdm::internals::Elementary;
+use vcgpdm_core::elementary::Elementary;
 
 /// Smallest probability of an answer by a constant.
 const SMALLEST: f64 = 1e-6;

@@ -3,9 +3,9 @@
 use crate::perception::error::VERSION;
 use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Study};
-use vcgpdm::internals::json::Value;
-use vcgpdm::internals::write_settings;
-use vcgpdm::models::variational::BoundTerms;
+use vcgpdm_core::document::write_settings;
+use vcgpdm_core::json::Value;
+use vcgpdm_core::models::variational::BoundTerms;
 
 /// The whole study.
 pub(super) fn document(study: &Study) -> Value {

@@ -1,8 +1,8 @@
 //! Comparison of learned and true latents. Latents can only be found up to a change of coordinates.
 
 use nalgebra::{DMatrix, RowDVector};
-use vcgpdm::gp::NumericsError;
-use vcgpdm::internals::Factor;
+use vcgpdm_core::gp::NumericsError;
+use vcgpdm_core::gp::linalg::Factor;
 
 /// Learned latents in the coordinates of the true ones.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,12 +8,12 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use std::f64::consts::TAU;
 use thiserror::Error;
-use vcgpdm::gp::NumericsError;
-use vcgpdm::internals::Elementary;
-use vcgpdm::models::variational::VariationalTrainer;
-use vcgpdm::models::{Dataset, RolloutError, TrainingError, VariationalSettings};
-use vcgpdm::motion::parts::PartSpec;
-use vcgpdm::series::{Columns, SeriesError, Table};
+use vcgpdm_core::elementary::Elementary;
+use vcgpdm_core::gp::NumericsError;
+use vcgpdm_core::models::variational::VariationalTrainer;
+use vcgpdm_core::models::{Dataset, RolloutError, TrainingError, VariationalSettings};
+use vcgpdm_core::motion::parts::PartSpec;
+use vcgpdm_core::series::{Columns, SeriesError, Table};
 
 /// The number of frames, T in the paper.
 pub(super) const FRAMES: usize = 300;
@@ -218,7 +218,7 @@ fn moving(drive: f64, random: &mut ChaCha8Rng) -> Result<Vec<DMatrix<f64>>, Nume
     Ok(latents)
 }
 
-vcgpdm::coded!(SyntheticError {
+vcgpdm_core::coded!(SyntheticError {
     Self::Drive(_) => Settings,
     Self::Numerics(_) => Numerics,
     Self::Table(_) => Table,

@@ -4,8 +4,8 @@ use crate::synthetic::alignment::{LatentAlignment, align};
 use crate::synthetic::data::{FRAMES, Synthetic, SyntheticError, spread};
 use nalgebra::DMatrix;
 use serde::Serialize;
-use vcgpdm::models::variational::{VariationalTrainer, Vcgpdm};
-use vcgpdm::models::{Progress, Reading, SeriesModel, VariationalSettings, coupling_weight_matrix};
+use vcgpdm_core::models::variational::{VariationalTrainer, Vcgpdm};
+use vcgpdm_core::models::{Progress, Reading, SeriesModel, VariationalSettings, coupling_weight_matrix};
 
 /// How well a model explains the data.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
-use vcgpdm::gp::{Kernel, NumericsError};
-use vcgpdm::internals::Factor;
+use vcgpdm_core::gp::linalg::Factor;
+use vcgpdm_core::gp::{Kernel, NumericsError};
 
 /// Jitter on the diagonal of the covariance of the supporting points.
 const JITTER: f64 = 1e-6;

@@ -11,7 +11,7 @@
 //! determines that of the other, and the data do not show which part drives which.
 //!
 //! ```
-//! use vcgpdm::models::VariationalSettings;
+//! use vcgpdm_core::models::VariationalSettings;
 //! use vcgpdm_lab::synthetic::{DRIVE, Experiment, Synthetic};
 //!
 //! let data = Synthetic::draw(2, DRIVE)?;

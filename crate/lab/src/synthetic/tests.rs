@@ -3,8 +3,8 @@
 use super::data::{COLUMNS, FRAMES};
 use super::*;
 use nalgebra::DMatrix;
-use vcgpdm::document::Document;
-use vcgpdm::models::VariationalSettings;
+use vcgpdm_core::document::Document;
+use vcgpdm_core::models::VariationalSettings;
 
 #[test]
 fn both_parts_move_and_depend_only_on_the_seed() {

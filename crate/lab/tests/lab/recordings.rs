@@ -4,8 +4,10 @@
 
 use nalgebra::DMatrix;
 use std::path::PathBuf;
-use vcgpdm::models::{Dataset, DmpSettings, FittedModel, Movements, Sequence, Settings, Source, TmpSettings};
-use vcgpdm::motion::{bvh, parts};
+use vcgpdm_core::models::{
+    Dataset, DmpSettings, FittedModel, Movements, Sequence, Settings, Source, TmpSettings,
+};
+use vcgpdm_core::motion::{bvh, parts};
 use vcgpdm_lab::evaluation::{Score, dtw_mse};
 
 /// All but one walk and five frames of that one; and all of it.

@@ -4,8 +4,8 @@
 //! `01_01.amc` the skeleton `01.asf` and the conversion `01_01.bvh`.
 
 use std::path::PathBuf;
-use vcgpdm::motion::asf::{self, File};
-use vcgpdm::motion::bvh;
+use vcgpdm_core::motion::asf::{self, File};
+use vcgpdm_core::motion::bvh;
 
 /// The joints that the conversion puts at the start of their parent's bone instead of its end, because it
 /// omits the bones of the thorax and the hands.

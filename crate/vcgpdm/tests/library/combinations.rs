@@ -1,9 +1,9 @@
 //! A library of sample walks, and combinations that were never recorded.
 
 use nalgebra::DMatrix;
-use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{Dataset, Endless, Push, REWINDS, Reading, Source, VariationalSettings};
-use vcgpdm::motion::{Clip, parts, samples};
+use vcgpdm_core::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
+use vcgpdm_core::models::{Dataset, Endless, Push, REWINDS, Reading, Source, VariationalSettings};
+use vcgpdm_core::motion::{Clip, parts, samples};
 
 const FRAMES: usize = 600;
 /// Largest latent of a rollout, relative to the range of the latents of the training.

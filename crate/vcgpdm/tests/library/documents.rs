@@ -2,10 +2,10 @@
 //! write files.
 
 use std::path::PathBuf;
-use vcgpdm::document::Document;
-use vcgpdm::models::Model;
-use vcgpdm::models::library::TrainedLibrary;
-use vcgpdm::motion::bvh;
+use vcgpdm_core::document::Document;
+use vcgpdm_core::models::Model;
+use vcgpdm_core::models::library::TrainedLibrary;
+use vcgpdm_core::motion::bvh;
 
 /// One document of each kind, with a name.
 pub const DOCUMENTS: [(&str, &str); 9] = [

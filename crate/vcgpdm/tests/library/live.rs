@@ -4,7 +4,7 @@ use crate::start_model;
 use nalgebra::DMatrix;
 use start_model::start_model;
 use std::sync::Arc;
-use vcgpdm::models::{Endless, Push, RolloutRequest};
+use vcgpdm_core::models::{Endless, Push, RolloutRequest};
 
 #[test]
 fn an_undisturbed_live_rollout_equals_the_rollout() {

@@ -2,10 +2,10 @@
 
 use crate::combinations::trained;
 use nalgebra::DMatrix;
-use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{Dataset, VariationalSettings};
-use vcgpdm::motion::parts::presets;
-use vcgpdm::motion::{Clip, samples};
+use vcgpdm_core::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
+use vcgpdm_core::models::{Dataset, VariationalSettings};
+use vcgpdm_core::motion::parts::presets;
+use vcgpdm_core::motion::{Clip, samples};
 
 /// The boundaries of a joined clip are found to within this time, in seconds.
 const NEAR: f64 = 0.3;

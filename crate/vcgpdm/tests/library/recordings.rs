@@ -5,8 +5,8 @@
 
 use nalgebra::DMatrix;
 use std::path::PathBuf;
-use vcgpdm::motion::pose::PoseMapping;
-use vcgpdm::motion::{Clip, Recording, bvh, parts};
+use vcgpdm_core::motion::pose::PoseMapping;
+use vcgpdm_core::motion::{Clip, Recording, bvh, parts};
 
 fn folder() -> PathBuf {
     std::env::var_os("VCGPDM_CLIPS").expect("VCGPDM_CLIPS names the folder of the recordings").into()

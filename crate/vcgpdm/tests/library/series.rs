@@ -1,12 +1,12 @@
 //! Models of tables: training, documents and rollouts.
 
 use nalgebra::DMatrix;
-use vcgpdm::document::Document;
-use vcgpdm::models::{
+use vcgpdm_core::document::Document;
+use vcgpdm_core::models::{
     Dataset, DmpSettings, MapSettings, Model, RolloutRequest, SeriesModel, Settings, TmpSettings, Trainer,
     VariationalSettings,
 };
-use vcgpdm::series::{Table, parse_parts, read, write};
+use vcgpdm_core::series::{Table, parse_parts, read, write};
 
 /// Two trials of two machines, the second of which follows the first. `size` scales the second column.
 fn tables(size: f64) -> Vec<Table> {
@@ -92,7 +92,7 @@ fn scaling_a_column_scales_its_rollout_and_changes_no_other_column() {
 fn couplings_of_tables_can_be_changed() {
     let model = trained(1.0, Settings::Vcgpdm(SMALL), TWO_PARTS);
     let model = model.coupled().unwrap();
-    let request = |alpha| vcgpdm::models::RolloutRequest { frames: 30, alpha, ..Default::default() };
+    let request = |alpha| vcgpdm_core::models::RolloutRequest { frames: 30, alpha, ..Default::default() };
     let learned = model.rollout(&request(None)).unwrap();
     assert_eq!((learned.latents.len(), learned.y.shape()), (2, (30, 3)));
     let mut alpha = model.model.alpha.clone();

@@ -1,8 +1,8 @@
 //! A T-pose before the motion is removed when a recording becomes a clip, and only then.
 
 use nalgebra::DMatrix;
-use vcgpdm::models::{Dataset, Source};
-use vcgpdm::motion::{Clip, Recording, bvh, parts, samples};
+use vcgpdm_core::models::{Dataset, Source};
+use vcgpdm_core::motion::{Clip, Recording, bvh, parts, samples};
 
 /// The number of frames in a data set of a clip at its own rate.
 fn frames_trained_on(clip: &Clip) -> usize {

@@ -1,6 +1,6 @@
 //! The model that the page opens with.
 
-use vcgpdm::models::Model;
+use vcgpdm_core::models::Model;
 
 pub fn start_model() -> Model {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../www/first/model.json");

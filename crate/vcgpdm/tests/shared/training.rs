@@ -3,14 +3,14 @@
 
 use nalgebra::DMatrix;
 use std::sync::Arc;
-use vcgpdm::internals::sha256;
-use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
-use vcgpdm::models::{
+use vcgpdm_core::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
+use vcgpdm_core::models::{
     ColumnMapping, Dataset, DmpSettings, Endless, MapSettings, Model, RolloutRequest, Settings, Source,
     TmpSettings, Trainer, VariationalSettings,
 };
-use vcgpdm::motion::{bvh, parts, samples};
-use vcgpdm::series::{Table, parse_parts, read, write};
+use vcgpdm_core::motion::sha256;
+use vcgpdm_core::motion::{bvh, parts, samples};
+use vcgpdm_core::series::{Table, parse_parts, read, write};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 

@@ -1,8 +1,8 @@
 //! What a picture of a body needs to know.
 
 use serde::Serialize;
-use vcgpdm::motion::Skeleton;
-use vcgpdm::motion::skeleton::{FigureNode, Joint};
+use vcgpdm_core::motion::Skeleton;
+use vcgpdm_core::motion::skeleton::{FigureNode, Joint};
 
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]

@@ -9,11 +9,11 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use js_sys::Object;
 use serde::{Deserialize, Serialize};
 #[cfg(feature = "training")]
-use vcgpdm::models::{same_body, with_bones_of};
-use vcgpdm::motion::bvh;
-use vcgpdm::motion::parts::PartsPreset;
-use vcgpdm::motion::stage::UpAxis;
-use vcgpdm::motion::{Clip as MotionClip, parts, samples};
+use vcgpdm_core::models::{same_body, with_bones_of};
+use vcgpdm_core::motion::bvh;
+use vcgpdm_core::motion::parts::PartsPreset;
+use vcgpdm_core::motion::stage::UpAxis;
+use vcgpdm_core::motion::{Clip as MotionClip, parts, samples};
 use wasm_bindgen::prelude::*;
 
 /// The name, size, body and warnings of a clip.
@@ -260,7 +260,7 @@ fn up_axis(name: &str) -> Result<UpAxis, VcgpdmError> {
 #[cfg(feature = "training")]
 impl Clip {
     /// The body that moves.
-    pub fn skeleton(&self) -> &vcgpdm::motion::Skeleton {
+    pub fn skeleton(&self) -> &vcgpdm_core::motion::Skeleton {
         &self.clip.skeleton
     }
 }
@@ -271,7 +271,7 @@ impl Clip {
 #[derive(Default)]
 pub struct TrainingSet {
     pub(crate) clips: Vec<MotionClip>,
-    pub(crate) tables: Vec<vcgpdm::series::Table>,
+    pub(crate) tables: Vec<vcgpdm_core::series::Table>,
 }
 
 #[cfg(feature = "training")]

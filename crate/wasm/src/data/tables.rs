@@ -5,8 +5,8 @@ use crate::values::convert::{flat, from_js, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
-use vcgpdm::motion::parts::PartSpec;
-use vcgpdm::series::{Table as Series, read};
+use vcgpdm_core::motion::parts::PartSpec;
+use vcgpdm_core::series::{Table as Series, read};
 use wasm_bindgen::prelude::*;
 
 /// The name, size and columns of a table.

@@ -9,8 +9,8 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use js_sys::{Object, Reflect};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-use vcgpdm::models::{DatasetError, FittedModel, Learner, ModelKind, Progress, Settings};
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::models::{DatasetError, FittedModel, Learner, ModelKind, Progress, Settings};
+use vcgpdm_core::motion::parts::PartSpec;
 use vcgpdm_lab::evaluation::{CandidateKind, Fold as HeldOut, Job, START_FRAMES};
 use wasm_bindgen::prelude::*;
 

@@ -9,7 +9,7 @@ use crate::values::convert::{from_js, from_json, to_js, to_js_joined, to_json, w
 use crate::values::error::{ErrorCode, VcgpdmError};
 use js_sys::{Array, Object, Reflect};
 use serde::Serialize;
-use vcgpdm::models::Settings;
+use vcgpdm_core::models::Settings;
 use vcgpdm_lab::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
 use wasm_bindgen::prelude::*;
 

@@ -7,7 +7,7 @@ use crate::values::convert::{from_js, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
-use vcgpdm::models::{ModelKind, Settings};
+use vcgpdm_core::models::{ModelKind, Settings};
 use vcgpdm_lab::evaluation::{Outcome, START_FRAMES};
 use vcgpdm_lab::perception::{
     Design, Look, Maker, Preset, Stimulus as MovementStimulus, Study as MovementStudy, StudyMovement, Texts,

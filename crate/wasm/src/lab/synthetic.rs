@@ -8,7 +8,7 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
 use serde::Serialize;
 use std::sync::Arc;
-use vcgpdm::models::variational::LARGEST_COUPLING;
+use vcgpdm_core::models::variational::LARGEST_COUPLING;
 use vcgpdm_lab::synthetic::{
     ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Snapshot, Synthetic,
 };

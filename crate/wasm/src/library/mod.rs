@@ -13,8 +13,8 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
 use serde::Serialize;
 use std::sync::Arc;
-use vcgpdm::models::SequenceInfo;
-use vcgpdm::models::library::{
+use vcgpdm_core::models::SequenceInfo;
+use vcgpdm_core::models::library::{
     CouplingsFrom, EncodedClip, LearnedMovement, Origin, Primitive, Relearned, TrainedLibrary,
 };
 use wasm_bindgen::prelude::*;

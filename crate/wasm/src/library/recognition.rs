@@ -7,7 +7,7 @@ use crate::values::convert::{flat, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
 use std::sync::Arc;
-use vcgpdm::models::library::TrainedLibrary;
+use vcgpdm_core::models::library::TrainedLibrary;
 use wasm_bindgen::prelude::*;
 
 /// A time in which one combination of primitives is the likeliest.
@@ -28,14 +28,14 @@ pub(crate) struct Segment {
 /// A recognition under way.
 #[wasm_bindgen]
 pub struct Recogniser {
-    under_way: Option<vcgpdm::models::library::Recogniser>,
+    under_way: Option<vcgpdm_core::models::library::Recogniser>,
     trained: Arc<TrainedLibrary>,
 }
 
 /// The primitives of a library in clips.
 #[wasm_bindgen]
 pub struct Recognition {
-    found: vcgpdm::models::library::Recognition,
+    found: vcgpdm_core::models::library::Recognition,
     trained: Arc<TrainedLibrary>,
 }
 
@@ -59,7 +59,7 @@ impl Library {
 impl Recogniser {
     /// Takes one step, and returns the share that is done: 1 at the end.
     pub fn step(&mut self) -> f64 {
-        self.under_way.as_mut().map_or(1.0, vcgpdm::models::library::Recogniser::step)
+        self.under_way.as_mut().map_or(1.0, vcgpdm_core::models::library::Recogniser::step)
     }
 
     /// The primitives in the clips, once all steps are taken.
@@ -101,7 +101,7 @@ impl Recognition {
         let movements = &self.trained.library.movements;
         let segments = self.found.segments().into_iter();
         let segments =
-            segments.map(|vcgpdm::models::library::Segment { uses, frames, probability }| Segment {
+            segments.map(|vcgpdm_core::models::library::Segment { uses, frames, probability }| Segment {
                 movement: movements.iter().position(|movement| movement.uses == uses),
                 uses,
                 first: frames.start,

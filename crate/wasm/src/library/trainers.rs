@@ -12,11 +12,11 @@ use serde::de::Visitor;
 use serde::{Deserialize, Deserializer};
 use std::fmt::{self, Formatter};
 use std::sync::Arc;
-use vcgpdm::models::library::{
+use vcgpdm_core::models::library::{
     CouplingTrainer as Fit, LibraryPlan, LibraryTrainer as Training, PlannedMovement,
 };
-use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::models::{Dataset, DatasetError, Source, VariationalSettings};
+use vcgpdm_core::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
 /// The plan of a library's training: the movements in order, the number of clips of each movement (absent:

@@ -7,7 +7,7 @@ use crate::values::convert::{from_js, matrix};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use serde::Deserialize;
 use std::sync::Arc;
-use vcgpdm::models::library::TrainedLibrary;
+use vcgpdm_core::models::library::TrainedLibrary;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

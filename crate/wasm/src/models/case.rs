@@ -2,7 +2,7 @@
 
 use crate::values::arguments::Text;
 use crate::values::error::{ErrorCode, VcgpdmError};
-use vcgpdm::models::variational::Workspace;
+use vcgpdm_core::models::variational::Workspace;
 use vcgpdm_lab::golden::Case as GoldenCase;
 use wasm_bindgen::prelude::*;
 

@@ -11,8 +11,8 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-use vcgpdm::models::variational::ObservationError;
-use vcgpdm::models::{
+use vcgpdm_core::models::variational::ObservationError;
+use vcgpdm_core::models::{
     ColumnMapping, Model as TrainedModel, PartCompletion, Reading, Rollout as Rolled, RolloutRequest,
 };
 use wasm_bindgen::prelude::*;
@@ -48,7 +48,7 @@ pub(crate) struct PartScores<'a> {
 /// A completed recording.
 #[wasm_bindgen]
 pub struct Completion {
-    found: vcgpdm::models::Completion,
+    found: vcgpdm_core::models::Completion,
     recorded: DMatrix<f64>,
     model: Arc<TrainedModel>,
 }

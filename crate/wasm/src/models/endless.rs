@@ -8,16 +8,16 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 #[cfg(feature = "training")]
-use vcgpdm::models::library::TrainedLibrary;
-use vcgpdm::models::variational::CyclePlace;
-use vcgpdm::models::{Push, Reading};
+use vcgpdm_core::models::library::TrainedLibrary;
+use vcgpdm_core::models::variational::CyclePlace;
+use vcgpdm_core::models::{Push, Reading};
 use wasm_bindgen::prelude::*;
 
 /// A motion without an end, of a model or of a combination of primitives. It computes a few frames at a time;
 /// between them, couplings, tempos and primitives can change, and parts can be pushed or moved.
 #[wasm_bindgen]
 pub struct Endless {
-    pub(crate) endless: vcgpdm::models::Endless,
+    pub(crate) endless: vcgpdm_core::models::Endless,
     /// That of a motion of primitives.
     #[cfg(feature = "training")]
     pub(crate) library: Option<Arc<TrainedLibrary>>,
@@ -31,8 +31,12 @@ impl Endless {
         let frame = frame.count(ErrorCode::Rollout, "the frame")?;
         let (model, request) = (rollout.model.body()?, &rollout.request);
         let learned = &coupled(model)?.model.alpha;
-        let mut endless =
-            vcgpdm::models::Endless::after(Arc::clone(model), &rollout.rollout, frame, request.sequence)?;
+        let mut endless = vcgpdm_core::models::Endless::after(
+            Arc::clone(model),
+            &rollout.rollout,
+            frame,
+            request.sequence,
+        )?;
         endless.set_couplings(request.alpha_or(learned).clone(), request.reading)?;
         Ok(Endless {
             endless,
@@ -131,7 +135,7 @@ impl Endless {
 
 /// The next frames of a motion without an end.
 #[wasm_bindgen]
-pub struct EndlessFrames(vcgpdm::models::EndlessFrames);
+pub struct EndlessFrames(vcgpdm_core::models::EndlessFrames);
 
 #[wasm_bindgen]
 impl EndlessFrames {

@@ -12,13 +12,13 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
 use std::sync::Arc;
 #[cfg(feature = "training")]
-use vcgpdm::document::Document;
-use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
-use vcgpdm::models::{
+use vcgpdm_core::document::Document;
+use vcgpdm_core::models::variational::{BoundTerms, PoseMap, Vcgpdm};
+use vcgpdm_core::models::{
     ColumnMapping, MOST_SAMPLES, Model as TrainedModel, ModelKind, Provenance, Rollout as Columns,
     RolloutError, RolloutRequest, SequenceInfo,
 };
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
 /// A part of a trained model.
@@ -223,7 +223,7 @@ impl Model {
 
     /// SHA-256 of that document, hexadecimal.
     pub fn sha256(&self) -> Result<String, VcgpdmError> {
-        Ok(vcgpdm::internals::sha256(self.to_json()?.as_bytes()))
+        Ok(vcgpdm_core::motion::sha256(self.to_json()?.as_bytes()))
     }
 
     /// Its kind, parts, sequences, couplings and settings.

@@ -7,9 +7,9 @@ use crate::values::arguments::Whole;
 use crate::values::convert::from_js;
 use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
-use vcgpdm::models::variational::InducingError;
+use vcgpdm_core::models::variational::InducingError;
 #[cfg(feature = "training")]
-use vcgpdm::models::{FittedModel, Model as TrainedModel, variational::KeptPoints};
+use vcgpdm_core::models::{FittedModel, Model as TrainedModel, variational::KeptPoints};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

@@ -5,9 +5,9 @@ use crate::values::arguments::Whole;
 use crate::values::convert::flat;
 use crate::values::error::{ErrorCode, VcgpdmError};
 #[cfg(feature = "training")]
-use vcgpdm::models::variational::LatentMoments;
-use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction};
-use vcgpdm::models::{Coupled, Rollout, RolloutRequest};
+use vcgpdm_core::models::variational::LatentMoments;
+use vcgpdm_core::models::variational::{InducingError, PartPredictions, Prediction};
+use vcgpdm_core::models::{Coupled, Rollout, RolloutRequest};
 use wasm_bindgen::prelude::*;
 
 /// The predictions for each frame of a rollout, from frame p (the order of the dynamics) on. Each prediction

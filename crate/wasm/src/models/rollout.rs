@@ -13,9 +13,9 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
 use std::sync::Arc;
 #[cfg(feature = "training")]
-use vcgpdm::models::SeriesModel;
-use vcgpdm::models::{ColumnMapping, Model, Rollout as Columns, RolloutRequest};
-use vcgpdm::motion::measures::{PartMeasures, measures};
+use vcgpdm_core::models::SeriesModel;
+use vcgpdm_core::models::{ColumnMapping, Model, Rollout as Columns, RolloutRequest};
+use vcgpdm_core::motion::measures::{PartMeasures, measures};
 use wasm_bindgen::prelude::*;
 
 #[derive(Serialize)]
@@ -45,7 +45,7 @@ pub fn best_to_show(
         return refused("whole numbers from 0 to 255", *found);
     }
     let models = ranks.iter().map(|rank| *rank as u8).zip(errors.iter().copied());
-    Ok(vcgpdm::models::best_to_show(models).map_or(-1, |place| place as i32))
+    Ok(vcgpdm_core::models::best_to_show(models).map_or(-1, |place| place as i32))
 }
 
 /// A rollout of a model: a motion, or columns of numbers.
@@ -225,6 +225,6 @@ impl Rollout {
             Trained::Body(model) => (column_names(&model.body), model.body.frame_time),
             Trained::Table(model) => (column_names(&model.body), model.body.frame_time),
         };
-        vcgpdm::series::write(&columns, &self.rollout.y, frame_time)
+        vcgpdm_core::series::write(&columns, &self.rollout.y, frame_time)
     }
 }

@@ -14,12 +14,12 @@ use serde::de::{DeserializeOwned, Deserializer, Error, Visitor};
 use serde::{Deserialize, Serialize};
 #[cfg(feature = "training")]
 use std::fmt;
-use vcgpdm::models::{ModelKind, Settings, TrainingCost, VariationalSettings};
-use vcgpdm::motion::parts::PartSpec;
+use vcgpdm_core::models::{ModelKind, Settings, TrainingCost, VariationalSettings};
+use vcgpdm_core::motion::parts::PartSpec;
 #[cfg(feature = "training")]
-use vcgpdm::motion::parts::{GivenJoint, GivenPart};
+use vcgpdm_core::motion::parts::{GivenJoint, GivenPart};
 #[cfg(feature = "training")]
-use vcgpdm::motion::{Skeleton, parts};
+use vcgpdm_core::motion::{Skeleton, parts};
 use wasm_bindgen::prelude::*;
 
 /// The time of the wasm over that of the native program: docs/training.md has both.

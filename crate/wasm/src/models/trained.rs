@@ -3,9 +3,9 @@
 use crate::values::error::{ErrorCode, VcgpdmError};
 use std::sync::Arc;
 #[cfg(feature = "training")]
-use vcgpdm::models::SeriesModel;
-use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Body, ColumnMapping, Coupled, Model as TrainedModel};
+use vcgpdm_core::models::SeriesModel;
+use vcgpdm_core::models::variational::Vcgpdm;
+use vcgpdm_core::models::{Body, ColumnMapping, Coupled, Model as TrainedModel};
 
 /// The couplings and latents of a model, which vCGPDM and vGPDM alone have.
 pub(crate) fn coupled<S: ColumnMapping>(model: &TrainedModel<S>) -> Result<Coupled<'_, S>, VcgpdmError> {

@@ -9,9 +9,9 @@ use crate::values::arguments::Whole;
 use crate::values::convert::{flat, from_js, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use std::sync::Arc;
-use vcgpdm::Trainer as BodyTrainer;
-use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
-use vcgpdm::series::Columns;
+use vcgpdm_core::models::Trainer as BodyTrainer;
+use vcgpdm_core::models::{Dataset, DatasetError, Source, VariationalSettings};
+use vcgpdm_core::series::Columns;
 use vcgpdm_lab::evaluation::TrainingTrials;
 use wasm_bindgen::prelude::*;
 

@@ -5,7 +5,7 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 use crate::values::wording::found_value;
 #[cfg(feature = "training")]
 use js_sys::{ArrayBuffer, Uint8Array};
-use vcgpdm::models::variational::InducingError;
+use vcgpdm_core::models::variational::InducingError;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

@@ -3,8 +3,8 @@
 
 use js_sys::Reflect;
 use std::fmt::Display;
-pub use vcgpdm::coded::Code as ErrorCode;
-use vcgpdm::coded::Coded;
+pub use vcgpdm_core::coded::Code as ErrorCode;
+use vcgpdm_core::coded::Coded;
 use wasm_bindgen::prelude::*;
 
 /// What a function throws.
@@ -50,8 +50,8 @@ impl<E: Coded + Display> From<E> for VcgpdmError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::gp::NumericsError;
-    use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
+    use vcgpdm_core::gp::NumericsError;
+    use vcgpdm_core::models::{DatasetError, RolloutError, TrainingError};
     use wasm_bindgen_test::wasm_bindgen_test;
 
     #[wasm_bindgen_test]

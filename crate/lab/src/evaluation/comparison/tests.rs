@@ -2,7 +2,7 @@ use super::*;
 use crate::evaluation::summary::ClaimAnswer;
 use crate::evaluation::testing::{finished, map, outcome, results, setting, variational};
 use approx::assert_relative_eq;
-use vcgpdm::models::{
+use vcgpdm_core::models::{
     DmpSettings, EndReason, ModelKind, PoseWeight, Settings, TmpSettings, VariationalSettings,
 };
 

@@ -13,8 +13,8 @@
 use crate::evaluation::predictor::{Forecast, Predictor};
 use crate::evaluation::rivals::sequences::{Trials, check};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
-use vcgpdm::internals::Factor;
-use vcgpdm::models::{Movements, RolloutError, TrainingError};
+use vcgpdm_core::gp::linalg::Factor;
+use vcgpdm_core::models::{Movements, RolloutError, TrainingError};
 
 /// The ridge, relative to the mean of the diagonal of the regression's Gram matrix.
 const RIDGE: f64 = 1e-8;

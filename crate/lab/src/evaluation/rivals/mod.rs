@@ -11,7 +11,7 @@ use crate::evaluation::predictor::Predictor;
 use autoregression::Autoregression;
 use promp::ProMp;
 use serde::Serialize;
-use vcgpdm::models::{MOST_BASES, MOST_DIMENSIONS, Movements, TrainingError};
+use vcgpdm_core::models::{MOST_BASES, MOST_DIMENSIONS, Movements, TrainingError};
 
 /// A model that only files of results of the terminal program contain. It cannot be trained here.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -61,7 +61,7 @@ impl Rival {
 mod tests {
     use super::*;
     use crate::evaluation::cross_validation::{Fold, START_FRAMES};
-    use vcgpdm::motion::{parts, samples};
+    use vcgpdm_core::motion::{parts, samples};
 
     #[test]
     fn predicts_a_walk_with_every_rival() {

@@ -24,8 +24,9 @@ use crate::evaluation::predictor::{Forecast, Predictor};
 use crate::evaluation::rivals::sequences::{Trials, check};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
-use vcgpdm::internals::{Elementary, Factor};
-use vcgpdm::models::{Alignment, Movements, PhaseAxis, PhaseMap, RolloutError, TrainingError};
+use vcgpdm_core::elementary::Elementary;
+use vcgpdm_core::gp::linalg::Factor;
+use vcgpdm_core::models::{Alignment, Movements, PhaseAxis, PhaseMap, RolloutError, TrainingError};
 
 /// The ridge lambda, relative to the mean of the diagonal of Phi'Phi.
 const RIDGE: f64 = 1e-4;

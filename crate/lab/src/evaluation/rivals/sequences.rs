@@ -1,7 +1,7 @@
 //! The sequences of a training as trials, and how many first frames of each are given.
 
 use nalgebra::DMatrix;
-use vcgpdm::models::{MOST_FRAMES, Movements, RolloutError, TrainingError, Trial};
+use vcgpdm_core::models::{MOST_FRAMES, Movements, RolloutError, TrainingError, Trial};
 
 /// Training sequences with the columns of all parts side by side.
 pub(super) struct Trials {

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
-use vcgpdm::models::{Movements, Sequence};
+use vcgpdm_core::models::{Movements, Sequence};
 
 /// Movements of one part: the columns of each sequence, and whether it is a whole trial.
 pub fn movements(trials: &[(DMatrix<f64>, bool)]) -> Movements {
