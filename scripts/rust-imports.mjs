@@ -175,10 +175,9 @@ export function ordersOf(/** @type {string} */ text) {
     .split("\n")
     .map((line) => line.replace(/#.*/, ""))
     .filter((line) => line.trim())) {
-    if (!line.startsWith(" ")) {
-      const [folder = "", within = ""] = line.trim().split(/ +/);
-      orders.push({ folder, within, lines: [] });
-    } else orders.at(-1)?.lines.push(line.split(",").map((name) => name.trim()));
+    const [folder = "", within = ""] = line.trim().split(/ +/);
+    if (!line.startsWith(" ")) orders.push({ folder, within, lines: [] });
+    else orders.at(-1)?.lines.push(line.split(",").map((name) => name.trim()));
   }
   return orders;
 }
