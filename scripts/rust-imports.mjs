@@ -171,13 +171,10 @@ export function circles(/** @type {string[]} */ uses) {
 export function ordersOf(/** @type {string} */ text) {
   /** @type {Order[]} */
   const orders = [];
-  for (const line of text
-    .split("\n")
-    .map((line) => line.replace(/#.*/, ""))
-    .filter((line) => line.trim())) {
+  for (const line of text.replace(/#.*/g, "").split("\n")) {
     const [folder = "", within = ""] = line.trim().split(/ +/);
-    if (!line.startsWith(" ")) orders.push({ folder, within, lines: [] });
-    else orders.at(-1)?.lines.push(line.split(",").map((name) => name.trim()));
+    if (/^\S/.test(line)) orders.push({ folder, within, lines: [] });
+    else if (line.trim()) orders.at(-1)?.lines.push(line.split(",").map((name) => name.trim()));
   }
   return orders;
 }

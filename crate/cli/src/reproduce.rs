@@ -16,9 +16,8 @@ use vcgpdm_core::motion::Clip;
 /// object.
 ///
 /// The exit status is 1 when the model differs by more than the tolerance. On one machine the same program
-/// gives the same bits. On another machine, and in wasm, the bound has the same bits too; numbers that are
-/// computed at the end of the training can differ in their last digits, because products of large matrices
-/// are summed in an order that depends on the processor.
+/// gives the same bits, and a vCGPDM, vGPDM or DMP has them on another machine and in wasm, too. A TMP or MAP
+/// model can differ in its last digits, because products of large matrices depend on the processor.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The model of a body, as `vcgpdm train` or the page has saved it.

@@ -21,7 +21,7 @@ use vcgpdm_lab::perception::{Look, Maker, Preset, Study, StudyMovement, TrialKin
 /// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more
 /// natural?
 ///
-/// Of the results of an evaluation and its clips, the study takes every model with all its settings, and of
+/// Of the results of an evaluation and its clips, the study takes every model but promp and ar with all its settings, and of
 /// several seeds the one whose rollouts repeat the training trials best. Each is trained again, because results do not contain
 /// movements, and predicts each trial held out. This takes as long as the trainings took; the number of
 /// seconds is printed before. Without clips, the command changes the design or the look of a study, or marks
@@ -59,7 +59,7 @@ pub struct Arguments {
     /// other movements are unmarked.
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     failed: Option<Vec<String>>,
-    /// Seconds of every movement; absent: 3.5.
+    /// Seconds of every movement; absent: those of the design, 3.5 (p2: 1.8).
     #[arg(long, value_name = "S")]
     seconds: Option<f64>,
     /// The seed of everything random in the design.

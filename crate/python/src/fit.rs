@@ -24,7 +24,7 @@ pub struct Progress {
     best: f64,
     /// The bound on the log evidence where the objective was highest, in nats.
     bound: Option<f64>,
-    /// "couplings, kernels and inducing points" or "everything together".
+    /// "couplings, kernels and inducing points", "everything together" or "learning from its own rollouts".
     phase: Option<String>,
     /// Share of the iterations used, 0 to 1.
     fraction: f64,

@@ -23,8 +23,8 @@ export const words: MethodWords = {
   steps: {
     title: "Woher die Schranke kommt",
     list: [
-      "Jede Abbildung bekommt Stützpunkte: einige Eingaben und die Ausgaben dort. Sind sie bekannt, so hängt der Rest der Abbildung nicht von den Daten ab.",
-      "An die Stelle der wahren Verteilung tritt eine Gaußverteilung für jeden latenten Zustand und eine für die Ausgaben an den Stützpunkten jeder Abbildung. Die jensensche Ungleichung begrenzt dann die logarithmierte Evidenz von unten.",
+      "Jede Abbildung bekommt Stützpunkte: einige Eingaben und die Ausgaben dort. Sind sie bekannt, so gilt der Rest der Abbildung als unabhängig von den Daten.",
+      "An die Stelle der wahren Verteilung tritt eine Gaußverteilung für jeden latenten Zustand, eine für die Ausgaben an den Stützpunkten jeder Abbildung auf Posen und eine für die aller Experten über einen Teil zusammen. Die jensensche Ungleichung begrenzt dann die logarithmierte Evidenz von unten.",
       "Über die Abbildungen wird integriert. Die beste Verteilung der Ausgaben an den Stützpunkten hat eine geschlossene Form: 𝐄(u) oben.",
       "Die Werte des Kerns werden über die latenten Zustände gemittelt. Für diesen Kern sind die Mittelwerte exakt: Nichts wird zufällig gezogen.",
     ],
@@ -68,9 +68,12 @@ export const words: MethodWords = {
       },
       scalable: {
         property: "skalierbar",
-        meaning: "Die Zeit einer Iteration wächst weniger als mit der dritten Potenz der Bilder",
+        meaning: "Bei vielen Bildern wächst die Zeit einer Iteration weniger als mit ihrer dritten Potenz",
       },
-      compact: { property: "kompakt", meaning: "Was gespeichert wird, wächst nicht mit der Zahl der Bilder" },
+      compact: {
+        property: "kompakt",
+        meaning: "Was ein Rollout braucht, wächst nicht mit der Zahl der Bilder",
+      },
       dynamics: {
         property: "kanonische und gelernte Dynamik",
         meaning: "Die Dynamik ist vor dem Lernen gegeben, oder sie ist eine beliebige glatte Funktion",

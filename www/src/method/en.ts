@@ -21,8 +21,8 @@ export const words = {
   steps: {
     title: "Where the bound comes from",
     list: [
-      "Each map gets inducing points: a few inputs, and the outputs there. Given these, the rest of the map does not depend on the data.",
-      "In place of the true distribution there is a Gaussian for each latent, and one for the inducing outputs of each map. Jensen’s inequality then bounds the log evidence from below.",
+      "Each map gets inducing points: a few inputs, and the outputs there. Given these, the rest of the map is taken not to depend on the data.",
+      "In place of the true distribution there is a Gaussian for each latent, one for the inducing outputs of each pose map, and one for those of all experts about a part together. Jensen’s inequality then bounds the log evidence from below.",
       "The maps are integrated out. The best distribution of the inducing outputs has a closed form: 𝐄(u) above.",
       "Kernel values are averaged over the latents. For this kernel the averages are exact: nothing is sampled.",
     ],
@@ -66,9 +66,9 @@ export const words = {
       },
       scalable: {
         property: "scalable",
-        meaning: "the time of an iteration grows with less than the cube of the frames",
+        meaning: "with many frames, the time of an iteration grows with less than their cube",
       },
-      compact: { property: "compact", meaning: "what is stored does not grow with the frames" },
+      compact: { property: "compact", meaning: "what a rollout needs does not grow with the frames" },
       dynamics: {
         property: "canonical and learned dynamics",
         meaning: "the dynamics are given before learning, or are any smooth function",

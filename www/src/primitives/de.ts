@@ -44,7 +44,7 @@ export const words: PrimitivesWords = {
   },
   recorded: {
     about:
-      "Modelle haben diese Bewegungen von Aufnahmen gelernt. Hier öffnest du eines. Clips, die es macht, stehen in der Liste darüber: Wähle Clips einer Bewegung und trainiere, dann entsteht dieselbe Figur noch einmal.",
+      "Modelle haben diese Bewegungen von Aufnahmen gelernt. Hier öffnest du eines. Clips, die es macht, stehen in der Liste darüber: Wähle Clips einer Bewegung und trainiere daraus ein eigenes Modell.",
     name: (movement) => MOVEMENTS[movement] ?? movement,
     modelMeaning: (movement) => `Das Modell von „${movement}“ auf die Bühne`,
     clip: (movement, number) =>

@@ -44,7 +44,7 @@ export const words = {
   },
   recorded: {
     about:
-      "Models learned these movements from recordings. Open one here. Clips that it makes are in the list above: tick clips of one movement and train, and you get this walker again.",
+      "Models learned these movements from recordings. Open one here. Clips that it makes are in the list above: tick clips of one movement and train a model of your own on them.",
     name: (movement: string) => MOVEMENTS[movement] ?? movement,
     modelMeaning: (movement: string) => `The model of “${movement}” on the stage`,
     clip: (movement: string, number: number) =>

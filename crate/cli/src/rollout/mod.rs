@@ -23,7 +23,7 @@ use vcgpdm_core::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
 ///
-/// Of a model of a body with couplings, one JSON object says how the motion ends and measures it. It has the
+/// Of a vCGPDM or vGPDM of a body, one JSON object says how the motion ends and measures it. It has the
 /// dynamics_elbo of the trained model, and the latent_log_density of the motion: the mean log density of the
 /// latents of a frame under the learned dynamics, and its difference from that of the training, in nats a frame.
 #[derive(clap::Args)]

@@ -7,7 +7,7 @@ use crate::perception::ordering::{Ordering, ordering};
 /// The best setting of each kind of model, from the highest rate to the lowest: its name in the paper, and
 /// how often it was taken for the natural one.
 pub const BEST: [(&str, usize, usize); 6] = [
-    ("TMP", 109, 170),
+    ("TMP", 108, 170),
     ("vGPDM", 28, 51),
     ("DMP", 92, 170),
     ("vCGPDM", 75, 162),
@@ -39,15 +39,15 @@ pub fn paper_checks(draws: usize, seed: u32) -> Vec<PaperCheck> {
         ("0.54", "0.04"),
         ("0.46", "0.04"),
         ("0.11", "0.02"),
-        ("0.00", "0.00"),
+        ("0.000", "0.004"),
     ];
     let mut checks = Vec::new();
     let mut add = |what: String, printed: &str, computed: f64, digits: usize| {
         checks.push(PaperCheck { what, printed: printed.to_owned(), computed, digits });
     };
     for (((name, hits, trials), rate), (mean, error)) in BEST.iter().zip(rates).zip(printed) {
-        add(format!("{name}, {hits} of {trials}: mean of the posterior"), mean, rate.mean(), 3);
-        add(format!("{name}: its standard deviation"), error, rate.deviation(), 3);
+        add(format!("{name}, {hits} of {trials}: share"), mean, *hits as f64 / *trials as f64, 3);
+        add(format!("{name}: standard deviation of the posterior"), error, rate.deviation(), 3);
     }
     let Ordering { orders, pairs } = ordering(&rates, draws, seed);
     let first = orders.iter().find(|(order, _)| order.is_sorted()).map_or(0.0, |(_, share)| *share);
@@ -148,8 +148,8 @@ mod tests {
             let found = computed(&format!("{name}, "));
             assert!((found - rate).abs() < 0.006, "{name}: {found}");
         }
-        assert!((computed("the likeliest order") - 0.37).abs() < 0.01);
-        assert!((computed("P(TMP > vGPDM)") - 0.88).abs() < 0.005);
+        assert!((computed("the likeliest order") - 0.36).abs() < 0.005);
+        assert!((computed("P(TMP > vGPDM)") - 0.87).abs() < 0.005);
         assert!((computed("P(vGPDM > vCGPDM)") - 0.86).abs() < 0.005);
         assert!((computed("P(p = 0.5)") - 0.79).abs() < 0.005);
         // The paper says about 0.99; more follows from its rate and error.

@@ -168,10 +168,7 @@ export const words = {
       wrong: "The band is taken for the data’s noise: away from points it is what nobody knows.",
       answer: "Zero, and a wide band: the process says that it does not know.",
       asked: [
-        [
-          "Why zero?",
-          "It is the mean that was chosen before any data. In the model of a walk, zero is the mean of all poses.",
-        ],
+        ["Why zero?", "It was chosen before any data. In the model of a walk it is the mean of all poses."],
         ["Why is the band narrow at the points?", "A point tells the value there, up to noise."],
       ],
     },
@@ -187,7 +184,7 @@ export const words = {
       wrong: "A changed coupling stays: Reset before the next exercise.",
     },
     compare: {
-      say: "We did not find that the coupled model foresees a held-out walk better than two simple ones, TMP and DMP. It adds parts that can be cut, pushed and exchanged.",
+      say: "We did not find that the coupled model foresees a held-out walk better than two simple ones, the TMP and the rhythmic DMP. It adds parts that can be cut, pushed and exchanged.",
       wrong: "A comparison takes minutes: start it before the break, or show the recorded results.",
     },
     questions: {
