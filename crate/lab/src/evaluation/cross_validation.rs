@@ -440,9 +440,8 @@ mod tests {
         let settings = Settings::DmpRhythmic(DmpSettings { bases: 5 });
         let mut learned = fold.learner(&settings, 0).unwrap().model().unwrap();
         let FittedModel::Dmp(model) = &mut learned else { panic!("no DMP") };
-        let vcgpdm_core::models::dmp::Dmp::Rhythmic(model) = model.as_mut() else { panic!("a discrete DMP") };
         model.weights.fill(0.0);
-        model.centre.fill(value);
+        model.goal.fill(value);
         for start in &mut model.starts {
             start.spring.position.fill(value);
             start.spring.velocity.fill(0.0);

@@ -7,7 +7,7 @@ use crate::document::read::head::{
 use crate::document::settings::read_baseline;
 use crate::document::subject::Subject;
 use crate::json::checks::count;
-use crate::models::dmp::{Dmp, DmpDiscrete, DmpRhythmic};
+use crate::models::dmp::Dmp;
 use crate::models::map::MapModel;
 use crate::models::tmp::Tmp;
 use crate::models::{FittedModel, Model, ModelKind, Provenance};
@@ -40,11 +40,8 @@ pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<Model<S>, Docume
             FittedModel::Map(Box::new(MapModel::from_field(field, &columns, lengths)?))
         }
         ModelKind::Tmp => FittedModel::Tmp(Box::new(Tmp::from_field(field, &columns, count)?)),
-        ModelKind::DmpDiscrete => {
-            FittedModel::Dmp(Box::new(Dmp::Discrete(DmpDiscrete::from_field(field, &columns, count)?)))
-        }
-        ModelKind::DmpRhythmic => {
-            FittedModel::Dmp(Box::new(Dmp::Rhythmic(DmpRhythmic::from_field(field, &columns, count)?)))
+        kind @ (ModelKind::DmpDiscrete | ModelKind::DmpRhythmic) => {
+            FittedModel::Dmp(Box::new(Dmp::from_field(field, kind, &columns, count)?))
         }
         // These kinds are read in vcgpdm.rs.
         ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),

@@ -3,111 +3,90 @@
 use crate::json::checks::{bounded_matrix, count, positive, positive_number, shape};
 use crate::json::{Field, FieldError, Value};
 use crate::models::data::json::{phase_map, phase_map_value, vector};
-use crate::models::dmp::discrete::{DiscreteStart, DmpDiscrete};
-use crate::models::dmp::rhythmic::{DmpRhythmic, RhythmicStart};
+use crate::models::dmp::model::{Canonical, Dmp, DmpStart};
 use crate::models::dmp::spring::SpringStart;
+use crate::models::training::kind::ModelKind;
 
 const MOST_BASES: usize = 1000;
 
-impl DmpDiscrete {
+impl Dmp {
     /// The model as JSON.
     pub(crate) fn to_value(&self) -> Value {
-        Value::object([
-            ("goal", Value::numbers(self.goal.as_slice())),
-            ("alpha_x", Value::Number(self.alpha_x)),
-            ("centres", Value::numbers(&self.centres)),
-            ("widths", Value::numbers(&self.widths)),
-            ("weights", Value::matrix(&self.weights)),
-            ("scaled", Value::list(&self.scaled, |scaled| Value::Bool(*scaled))),
-            (
-                "starts",
-                Value::list(&self.starts, |start| {
-                    Value::object([
-                        ("phase", phase_map_value(&start.map)),
-                        ("spring", spring_value(&start.spring)),
-                    ])
-                }),
-            ),
-        ])
+        let goal = Value::numbers(self.goal.as_slice());
+        let weights = Value::matrix(&self.weights);
+        let starts = |has_amplitude: bool| {
+            Value::list(&self.starts, |DmpStart { map, amplitude, spring }| {
+                let (map, spring) = (phase_map_value(map), spring_value(spring));
+                if has_amplitude {
+                    return Value::object([
+                        ("phase", map),
+                        ("amplitude", Value::Number(*amplitude)),
+                        ("spring", spring),
+                    ]);
+                }
+                Value::object([("phase", map), ("spring", spring)])
+            })
+        };
+        match &self.canonical {
+            Canonical::Discrete { alpha_x, centres, widths, scaled } => Value::object([
+                ("goal", goal),
+                ("alpha_x", Value::Number(*alpha_x)),
+                ("centres", Value::numbers(centres)),
+                ("widths", Value::numbers(widths)),
+                ("weights", weights),
+                ("scaled", Value::list(scaled, |scaled| Value::Bool(*scaled))),
+                ("starts", starts(false)),
+            ]),
+            Canonical::Rhythmic { concentration } => Value::object([
+                ("centre", goal),
+                ("concentration", Value::Number(*concentration)),
+                ("weights", weights),
+                ("starts", starts(true)),
+            ]),
+        }
     }
 
-    /// Reads a model of parts with these numbers of `columns` and of `sequences` sequences.
-    pub(crate) fn from_field(field: Field, columns: &[usize], sequences: usize) -> Result<Self, FieldError> {
+    /// Reads a model of this kind, of parts with these numbers of `columns` and of `sequences` sequences.
+    pub(crate) fn from_field(
+        field: Field,
+        kind: ModelKind,
+        columns: &[usize],
+        sequences: usize,
+    ) -> Result<Self, FieldError> {
         let mut object = field.object()?;
         let d = columns.iter().sum();
-        let goal = vector(&object.get("goal")?, d)?;
-
-        let alpha_x = positive_number(object.get("alpha_x")?)?;
-        let field = object.get("centres")?;
-        let bases = count(&field, field.numbers()?.len(), 1..=MOST_BASES)?;
-        let centres = vector(&field, bases)?.as_slice().to_vec();
-        let field = object.get("widths")?;
-        let widths = field.numbers()?;
-        count(&field, widths.len(), bases..=bases)?;
-        positive(&field, &widths)?;
-        let field = object.get("weights")?;
-        let weights = bounded_matrix(&field)?;
-        shape(&field, &weights, bases, d)?;
-        let field = object.get("scaled")?;
-        let scaled = field.list(|item| item.boolean())?;
-        count(&field, scaled.len(), d..=d)?;
-        let field = object.get("starts")?;
-        let starts = field.list(|item| {
-            let mut object = item.object()?;
-            let map = phase_map(object.get("phase")?)?;
-            let spring = spring(object.get("spring")?, d)?;
-            object.end()?;
-            Ok(DiscreteStart { map, spring })
-        })?;
-        count(&field, starts.len(), sequences..=sequences)?;
-        object.end()?;
-        let columns = columns.to_vec();
-        Ok(Self { goal, alpha_x, centres, widths, weights, scaled, starts, columns })
-    }
-}
-
-impl DmpRhythmic {
-    /// The model as JSON.
-    pub(crate) fn to_value(&self) -> Value {
-        Value::object([
-            ("centre", Value::numbers(self.centre.as_slice())),
-            ("concentration", Value::Number(self.concentration)),
-            ("weights", Value::matrix(&self.weights)),
-            (
-                "starts",
-                Value::list(&self.starts, |start| {
-                    Value::object([
-                        ("phase", phase_map_value(&start.map)),
-                        ("amplitude", Value::Number(start.amplitude)),
-                        ("spring", spring_value(&start.spring)),
-                    ])
-                }),
-            ),
-        ])
-    }
-
-    /// Reads a model of parts with these numbers of `columns` and of `sequences` sequences.
-    pub(crate) fn from_field(field: Field, columns: &[usize], sequences: usize) -> Result<Self, FieldError> {
-        let mut object = field.object()?;
-        let d = columns.iter().sum();
-        let centre = vector(&object.get("centre")?, d)?;
-        let concentration = positive_number(object.get("concentration")?)?;
-        let field = object.get("weights")?;
-        let weights = bounded_matrix(&field)?;
+        let is_discrete = kind == ModelKind::DmpDiscrete;
+        let goal = vector(&object.get(if is_discrete { "goal" } else { "centre" })?, d)?;
+        let weights = object.get("weights")?;
+        let (field, weights) = (weights.clone(), bounded_matrix(&weights)?);
         let bases = count(&field, weights.nrows(), 1..=MOST_BASES)?;
         shape(&field, &weights, bases, d)?;
+        let canonical = if is_discrete {
+            let alpha_x = positive_number(object.get("alpha_x")?)?;
+            let centres = vector(&object.get("centres")?, bases)?.as_slice().to_vec();
+            let field = object.get("widths")?;
+            let widths = field.numbers()?;
+            count(&field, widths.len(), bases..=bases)?;
+            positive(&field, &widths)?;
+            let field = object.get("scaled")?;
+            let scaled = field.list(|item| item.boolean())?;
+            count(&field, scaled.len(), d..=d)?;
+            Canonical::Discrete { alpha_x, centres, widths, scaled }
+        } else {
+            Canonical::Rhythmic { concentration: positive_number(object.get("concentration")?)? }
+        };
         let field = object.get("starts")?;
         let starts = field.list(|item| {
             let mut object = item.object()?;
             let map = phase_map(object.get("phase")?)?;
-            let amplitude = positive_number(object.get("amplitude")?)?;
+            let amplitude = if is_discrete { 1.0 } else { positive_number(object.get("amplitude")?)? };
             let spring = spring(object.get("spring")?, d)?;
             object.end()?;
-            Ok(RhythmicStart { map, amplitude, spring })
+            Ok(DmpStart { map, amplitude, spring })
         })?;
         count(&field, starts.len(), sequences..=sequences)?;
         object.end()?;
-        Ok(Self { centre, concentration, weights, starts, columns: columns.to_vec() })
+        Ok(Self { canonical, goal, weights, starts, columns: columns.to_vec() })
     }
 }
 

@@ -3,9 +3,7 @@
 use crate::gp::NumericsError;
 use crate::models::data::movements::{Movements, split, split_trials};
 use crate::models::data::phase::Trial;
-use crate::models::dmp::discrete::DmpDiscrete;
-use crate::models::dmp::rhythmic::DmpRhythmic;
-use crate::models::dmp::{Canonical, Dmp};
+use crate::models::dmp::model::Dmp;
 use crate::models::errors::{TrainingError, in_range};
 use crate::models::rollout::request::Handles;
 use crate::models::search::Setbacks;
@@ -17,7 +15,7 @@ use crate::models::training::settings::{DmpSettings, MOST_BASES};
 pub struct DmpLearner {
     trials: Vec<Trial>,
     columns: Vec<usize>,
-    canonical: Canonical,
+    is_rhythmic: bool,
     bases: usize,
     fitted: Option<Dmp>,
     error: f64,
@@ -25,28 +23,26 @@ pub struct DmpLearner {
 }
 
 impl DmpLearner {
-    /// A training before its step.
+    /// A training before its step, of a movement around a centre if it `is_rhythmic`, else towards a goal.
     ///
     /// # Errors
     ///
     /// When the number of bases is out of its range, or the model cannot learn from the movements.
     pub fn new(
         movements: &Movements,
-        canonical: Canonical,
+        is_rhythmic: bool,
         settings: &DmpSettings,
     ) -> Result<Self, TrainingError> {
         in_range("the number of bases", settings.bases, MOST_BASES)?;
         let (trials, columns) = split_trials(movements)?;
         let (bases, error) = (settings.bases, f64::INFINITY);
-        Ok(Self { trials, columns, canonical, bases, fitted: None, error, reason: None })
+        Ok(Self { trials, columns, is_rhythmic, bases, fitted: None, error, reason: None })
     }
 
     fn fit(&self) -> Result<Dmp, NumericsError> {
         let (trials, columns, bases) = (&self.trials, &self.columns, self.bases);
-        Ok(match self.canonical {
-            Canonical::Discrete => Dmp::Discrete(DmpDiscrete::fit(trials, columns, bases)?),
-            Canonical::Rhythmic => Dmp::Rhythmic(DmpRhythmic::fit(trials, columns, bases)?),
-        })
+        let fit = if self.is_rhythmic { Dmp::rhythmic } else { Dmp::discrete };
+        fit(trials, columns, bases)
     }
 
     /// The model; before the step, or after a step that failed, it is fitted here to return the error.

@@ -22,81 +22,12 @@
 mod discrete;
 mod json;
 mod learner;
+mod model;
 mod rhythmic;
 mod spring;
 #[cfg(test)]
 mod tests;
 
-pub use discrete::{DiscreteStart, DmpDiscrete};
 pub use learner::DmpLearner;
-pub use rhythmic::{DmpRhythmic, RhythmicStart};
+pub use model::{Canonical, Dmp, DmpStart};
 pub use spring::SpringStart;
-
-use crate::json::Value;
-use crate::models::data::movements::split;
-use crate::models::rollout::request::{Handles, RolloutError};
-use crate::models::training::kind::ModelKind;
-use nalgebra::DMatrix;
-
-/// The canonical system for time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Canonical {
-    /// Towards a goal.
-    Discrete,
-    /// Around a centre.
-    Rhythmic,
-}
-
-/// Fitted dynamic movement primitives of either kind.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Dmp {
-    /// Towards a goal.
-    Discrete(DmpDiscrete),
-    /// Around a centre.
-    Rhythmic(DmpRhythmic),
-}
-
-impl Dmp {
-    /// The kind of model.
-    pub fn kind(&self) -> ModelKind {
-        match self {
-            Dmp::Discrete(_) => ModelKind::DmpDiscrete,
-            Dmp::Rhythmic(_) => ModelKind::DmpRhythmic,
-        }
-    }
-
-    /// The movement from the start of a training sequence, under `handles` of centred columns in the order of the
-    /// parts: the centred columns of each part [frames x D_i].
-    ///
-    /// # Errors
-    ///
-    /// When there is no such sequence, or the number of frames is out of its range.
-    pub fn rollout(
-        &self,
-        sequence: usize,
-        frames: usize,
-        handles: &Handles,
-    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        let (path, columns) = match self {
-            Dmp::Discrete(model) => (model.path(sequence, frames, handles)?, &model.columns),
-            Dmp::Rhythmic(model) => (model.path(sequence, frames, handles)?, &model.columns),
-        };
-        Ok(split(&path, columns))
-    }
-
-    /// The number of stored numbers from which one sequence can be rolled out.
-    pub fn stored_numbers(&self) -> usize {
-        match self {
-            Dmp::Discrete(model) => model.stored_numbers(),
-            Dmp::Rhythmic(model) => model.stored_numbers(),
-        }
-    }
-
-    /// The model as JSON.
-    pub(crate) fn to_value(&self) -> Value {
-        match self {
-            Dmp::Discrete(model) => model.to_value(),
-            Dmp::Rhythmic(model) => model.to_value(),
-        }
-    }
-}

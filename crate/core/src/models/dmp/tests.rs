@@ -43,8 +43,9 @@ fn root_mean_square(a: &DMatrix<f64>) -> f64 {
 fn more_bases_reproduce_a_movement_better() {
     let trials = [whole(reach(90))];
     let error = |bases| {
-        let model = DmpDiscrete::fit(&trials, &[3], bases).unwrap();
-        assert_eq!(model.scaled, [true, true, false]);
+        let model = Dmp::discrete(&trials, &[3], bases).unwrap();
+        let Canonical::Discrete { scaled, .. } = &model.canonical else { panic!("no goal") };
+        assert_eq!(*scaled, [true, true, false]);
         root_mean_square(&(model.path(0, 90, &Handles::default()).unwrap() - &trials[0].y))
     };
     let (few, some, many) = (error(3), error(12), error(40));
@@ -54,7 +55,7 @@ fn more_bases_reproduce_a_movement_better() {
 
     let trials = [whole(walk(110, 34.0, 0.1))];
     let error = |bases| {
-        let model = DmpRhythmic::fit(&trials, &[3], bases).unwrap();
+        let model = Dmp::rhythmic(&trials, &[3], bases).unwrap();
         root_mean_square(&(model.path(0, 110, &Handles::default()).unwrap() - &trials[0].y))
     };
     let (few, many) = (error(3), error(25));
@@ -64,7 +65,7 @@ fn more_bases_reproduce_a_movement_better() {
 #[test]
 fn another_goal_is_reached_and_scales_the_movement() {
     let trials = [whole(reach(90)), whole(reach(80))];
-    let model = DmpDiscrete::fit(&trials, &[2, 1], 30).unwrap();
+    let model = Dmp::discrete(&trials, &[2, 1], 30).unwrap();
     let (plain, learned) = (model.path(0, 160, &Handles::default()).unwrap(), &model.goal);
     let goal = learned + nalgebra::dvector![1.0, -0.5, 0.7];
     let handles = Handles { goal: Some(vec![1.0, -0.5, 0.7]), ..Handles::default() };
@@ -83,16 +84,17 @@ fn another_goal_is_reached_and_scales_the_movement() {
     assert!((moved[(0, 0)] - plain[(0, 0)] - 0.4).abs() < 1e-12);
     let way = (learned[0] - moved[(0, 0)]) / (learned[0] - plain[(0, 0)]);
     assert!((moved[(45, 0)] - learned[0] - way * (plain[(45, 0)] - learned[0])).abs() < 0.02);
-    let opposite = DmpDiscrete::fit(&[whole(reach(90)), whole(-reach(90))], &[3], 3).unwrap();
-    assert_eq!(opposite.scaled, [false; 3], "trials go opposite ways");
+    let opposite = Dmp::discrete(&[whole(reach(90)), whole(-reach(90))], &[3], 3).unwrap();
+    let Canonical::Discrete { scaled, .. } = opposite.canonical else { panic!("no goal") };
+    assert_eq!(scaled, [false; 3], "trials go opposite ways");
     // The column that returns stays small, although its goal is its start.
     assert!(plain.column(2).amax() < 0.6, "{}", plain.column(2));
 }
 
 #[test]
 fn half_the_rate_takes_twice_as_long() {
-    let discrete = DmpDiscrete::fit(&[whole(reach(100).rows(10, 90).into_owned())], &[3], 25).unwrap();
-    let rhythmic = DmpRhythmic::fit(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
+    let discrete = Dmp::discrete(&[whole(reach(100).rows(10, 90).into_owned())], &[3], 25).unwrap();
+    let rhythmic = Dmp::rhythmic(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
     let fast = [
         discrete.path(0, 60, &Handles::default()).unwrap(),
         rhythmic.path(0, 60, &Handles::default()).unwrap(),
@@ -114,7 +116,7 @@ fn the_limit_cycle_is_stable() {
         whole(walk(97, 34.0, 0.7)),
         Trial { y: walk(5, 34.0, 0.4), whole: false },
     ];
-    let mut model = DmpRhythmic::fit(&trials, &[3], 25).unwrap();
+    let mut model = Dmp::rhythmic(&trials, &[3], 25).unwrap();
     let y = model.path(2, 1000, &Handles::default()).unwrap();
     let difference = &y - walk(1000, 34.0, 0.4);
     assert!(root_mean_square(&difference.rows(0, 100).into_owned()) < 0.08, "{difference}");
@@ -124,7 +126,7 @@ fn the_limit_cycle_is_stable() {
 
     // Five frames of a movement three times as large are no reason to move more than twice as far.
     let large = Trial { y: walk(5, 34.0, 0.4) * 3.0, whole: false };
-    let large = DmpRhythmic::fit(&[trials[0].clone(), trials[1].clone(), large], &[3], 25).unwrap();
+    let large = Dmp::rhythmic(&[trials[0].clone(), trials[1].clone(), large], &[3], 25).unwrap();
     assert_eq!(large.starts[2].amplitude, 2.0);
 
     // A rollout that is pushed away from the cycle returns to it. Twice the amplitude doubles the movement
@@ -139,7 +141,7 @@ fn the_limit_cycle_is_stable() {
     model.starts[2].amplitude *= 2.0;
     let larger = model.path(2, 200, &Handles::default()).unwrap();
     for t in 34..134 {
-        let expected = 2.0 * (y.row(t).transpose() - &model.centre) + &model.centre;
+        let expected = 2.0 * (y.row(t).transpose() - &model.goal) + &model.goal;
         assert!((larger.row(t).transpose() - expected).amax() < 1e-6);
     }
 }
@@ -152,11 +154,11 @@ fn a_learner_needs_one_step_and_refuses_0_bases() {
         y,
         sequences: vec![Sequence { frames: 55, whole: true }, Sequence { frames: 5, whole: false }],
     };
-    for (canonical, kind, numbers) in [
-        (Canonical::Discrete, ModelKind::DmpDiscrete, 10 * 3 + 4 * 3 + 3),
-        (Canonical::Rhythmic, ModelKind::DmpRhythmic, 10 * 3 + 3 * 3 + 4),
+    for (is_rhythmic, kind, numbers) in [
+        (false, ModelKind::DmpDiscrete, 10 * 3 + 4 * 3 + 3),
+        (true, ModelKind::DmpRhythmic, 10 * 3 + 3 * 3 + 4),
     ] {
-        let mut learner = DmpLearner::new(&movements, canonical, &DmpSettings { bases: 10 }).unwrap();
+        let mut learner = DmpLearner::new(&movements, is_rhythmic, &DmpSettings { bases: 10 }).unwrap();
         let progress = learner.step();
         assert!(progress.done && progress.best.is_finite() && progress.best <= 0.0, "{progress:?}");
         let model = learner.model().unwrap();
@@ -166,15 +168,15 @@ fn a_learner_needs_one_step_and_refuses_0_bases() {
         assert!(y[0].iter().all(|v| v.is_finite()));
         assert!(model.rollout(2, 80).is_err() && model.rollout(0, 0).is_err());
     }
-    let none = DmpLearner::new(&movements, Canonical::Rhythmic, &DmpSettings { bases: 0 });
+    let none = DmpLearner::new(&movements, true, &DmpSettings { bases: 0 });
     let error = none.err().unwrap().to_string();
     assert_eq!(error, "the number of bases must be from 1 to 200, found 0");
     // A still movement stays where it is.
     let still =
         Movements { y: vec![DMatrix::zeros(20, 2)], sequences: vec![Sequence { frames: 20, whole: true }] };
-    for canonical in [Canonical::Discrete, Canonical::Rhythmic] {
+    for is_rhythmic in [false, true] {
         for bases in [1, 30] {
-            let learner = DmpLearner::new(&still, canonical, &DmpSettings { bases }).unwrap();
+            let learner = DmpLearner::new(&still, is_rhythmic, &DmpSettings { bases }).unwrap();
             let model = learner.model().unwrap();
             assert!(model.rollout(0, 30).unwrap()[0].amax() < 1e-9);
         }
