@@ -65,6 +65,14 @@ impl<S: ColumnMapping> Body<S> {
         columns
     }
 
+    /// Multiplies the columns of a body that are changes from frame to frame, such as its way over the ground.
+    pub(super) fn scale_rates(&self, y: &mut DMatrix<f64>, speed: f64) {
+        let columns = self.mapping.poses().map(PoseMapping::columns).unwrap_or_default();
+        for (d, _) in columns.iter().enumerate().filter(|(_, column)| column.kind.is_rate()) {
+            y.column_mut(d).scale_mut(speed);
+        }
+    }
+
     /// Handles with centred columns in the order of the parts, as fitted models have them.
     pub(super) fn handles_of_parts(&self, handles: &Handles) -> Handles {
         let ordered = |by: &Vec<f64>| {

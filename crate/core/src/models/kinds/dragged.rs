@@ -117,6 +117,11 @@ mod tests {
         let off = |frame| apart(from_root(&pushed, frame, hand), from_root(&learned, frame, hand));
         assert!(off(frame + 1) > 0.03 && off(frame + 30) < 1e-3, "{} {}", off(frame + 1), off(frame + 30));
 
+        // At half the tempo the body goes as far in twice the frames.
+        let slow = model.rollout_with(0, 179, &Handles { tempo: 0.5, ..Handles::default() }).unwrap();
+        let way = |y: &DMatrix<f64>, column: usize| y.column(column).sum();
+        assert!((way(&slow, 1) / way(&y, 1) - 1.0).abs() < 0.02, "{} {}", way(&slow, 1), way(&y, 1));
+
         let one = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 9 0\n}\n}\nMOTION\nFrames: 3\nFrame Time: 0.1\n0 9 0 0 0 0\n0 9 1 0 0 0\n0 9 2 0 0 0\n";
         let clip = bvh::read("one.bvh", one.as_bytes()).unwrap().into_clip();
         let whole = [PartSpec { name: "body".to_owned(), joints: vec![0] }];

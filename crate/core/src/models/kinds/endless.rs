@@ -88,21 +88,22 @@ impl State {
         }
     }
 
-    /// The columns [1 x D] of the newest frame. The root travels as fast as a wheel turns its part: with the legs
-    /// it stands still, and goes back with them.
+    /// The columns [1 x D] of the newest frame. The root travels at the tempo of its part, or as fast as a wheel turns
+    /// it: with the legs it stands still, and goes back with them.
     fn columns(&self, model: Coupled) -> DMatrix<f64> {
         let last = self.paths.frames();
         let newest = self.paths.matrices(last - 1..last);
         let mut y = model.body.columns(&model.model.observations(&newest));
+        let has_root = |part: usize| model.body.layout.columns(part).contains(&0);
         let by_wheel = |moved: &Moved| match moved.by {
-            Mover::Wheel { step, .. } if model.body.layout.columns(moved.part).contains(&0) => Some(step),
+            Mover::Wheel { step, .. } if has_root(moved.part) => Some(step),
             _ => None,
         };
-        if let (Some(cycle), Some(step)) = (&self.course.cycle, self.moved.iter().find_map(by_wheel)) {
-            for (d, column) in model.body.mapping.columns().iter().enumerate() {
-                y[(0, d)] *= if column.kind.is_rate() { step * cycle.period() as f64 } else { 1.0 };
-            }
-        }
+        let speed = match (&self.course.cycle, self.moved.iter().find_map(by_wheel)) {
+            (Some(cycle), Some(step)) => step * cycle.period() as f64,
+            _ => (0..newest.len()).find(|part| has_root(*part)).map_or(1.0, |part| self.paths.tempo(part)),
+        };
+        model.body.scale_rates(&mut y, speed);
         y
     }
 

@@ -84,6 +84,8 @@ impl<S: ColumnMapping> Model<S> {
         }
         handles.check(frames, self.body.column_means.len())?;
         let handles = self.body.handles_of_parts(handles);
-        Ok(self.body.columns(&self.fitted.rollout_with(sequence, frames, &handles)?))
+        let mut y = self.body.columns(&self.fitted.rollout_with(sequence, frames, &handles)?);
+        self.body.scale_rates(&mut y, handles.tempo);
+        Ok(y)
     }
 }

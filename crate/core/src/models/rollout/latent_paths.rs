@@ -62,6 +62,11 @@ impl LatentPaths {
         self.tempos[part] = tempo;
     }
 
+    /// The tempo of a part.
+    pub(crate) fn tempo(&self, part: usize) -> f64 {
+        self.tempos[part]
+    }
+
     /// Lets a part continue from a state [p x Q].
     pub(crate) fn set_history(&mut self, part: usize, state: &DMatrix<f64>) {
         let (q, frames) = (self.latent[part], self.frames());

@@ -103,7 +103,7 @@ pub struct Push {
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Handles {
-    /// Multiplies the speed, from 0.25 to 2; absent: 1.
+    /// Multiplies the speed, of the way over the ground too, from 0.25 to 2; absent: 1.
     #[cfg_attr(feature = "types", ts(as = "Option<_>", optional))]
     pub tempo: f64,
     /// Displacement of the goal of a DMP, of the centre of a rhythmic one; absent: none.
