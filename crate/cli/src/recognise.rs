@@ -16,7 +16,8 @@ use vcgpdm_core::models::library::Segment;
 /// primitives is the likeliest, in seconds, with the mean of its probability; `movement` is the movement that uses
 /// these primitives, and null where parts use primitives of several movements. `parts` has the share of the frames
 /// in which each primitive of the part is the likeliest. `log_density` is the mean log density of the columns of a
-/// part in a frame, in nats: under each primitive, and in a segment under those of the segment, all parts together.
+/// part in a frame, in nats, of a balanced library with the noise of the weighted poses: under each primitive, and
+/// in a segment under those of the segment, all parts together.
 /// The library need not be trained on the clips.
 #[derive(clap::Args)]
 pub struct Arguments {

@@ -51,7 +51,7 @@ export const words: MethodWords = {
     map: "[MAP|map] (Wang et al. 2008; Velychko et al. 2014): dieselbe Dynamik wie oben, mit allen Bildern statt Stützpunkten, und mit den wahrscheinlichsten latenten Zuständen statt Verteilungen.",
     score: "Die Verwechslungsrate",
     scoreText:
-      "Wie oft Menschen die Bewegung eines Modells für die natürliche halten, sinkt mit seinem Fehler. Velychko et al. (2018) passen a und c an; 0,5 wäre vollkommen.",
+      "Beim vCGPDM fanden Velychko et al. (2018), dass Menschen eine Bewegung umso seltener für die natürliche halten, je größer ihr Fehler auf den Trainingsdaten ist, und passen a und c an; 0,5 wäre vollkommen. Bei DMPs fanden Knopp et al. (2019) keine solche Kurve.",
   },
   table: {
     label: "Eigenschaften der Modelle",

@@ -49,7 +49,7 @@ export const words = {
     map: "[MAP|map] (Wang et al. 2008; Velychko et al. 2014): the same dynamics as above, with all frames in place of inducing points, and the most probable latents in place of distributions.",
     score: "The perception score",
     scoreText:
-      "How often people take a model’s movement for the natural one falls with its error. Velychko et al. (2018) fit a and c; 0.5 would be perfect.",
+      "Of the vCGPDM, Velychko et al. (2018) found that people take a movement for the natural one less often the larger its error on the training data, and fit a and c; 0.5 would be perfect. Of DMPs, Knopp et al. (2019) found no such curve.",
   },
   table: {
     label: "Properties of the models",

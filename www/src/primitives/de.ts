@@ -89,7 +89,7 @@ export const words: PrimitivesWords = {
     title: "[Kopplungen|coupling]",
     reset: "Zurück",
     about:
-      "Rechts ist stark. In einer neuen Kombination haben sich die Teile nie getroffen, also hören sie zuerst kaum aufeinander.",
+      "Rechts ist stark. In einer neuen Kombination haben sich die Teile nie getroffen, also beginnen ihre Kopplungen an der schwachen Grenze, und nur ein Teil, der auf sich selbst kaum hört, hört den anderen noch.",
     clip: "Clip",
     fit: "An diesen Clip anpassen",
     fitting: "Anpassung",

@@ -87,7 +87,7 @@ export const words = {
     title: "[Couplings|coupling]",
     reset: "Reset",
     about:
-      "Right is strong. In a new combination the parts never met, so at first they hardly listen to each other.",
+      "Right is strong. In a new combination the parts never met: their couplings begin at the weak limit, and only a part that hardly listens to itself still hears the other.",
     clip: "Clip",
     fit: "Fit to this clip",
     fitting: "Fitting",

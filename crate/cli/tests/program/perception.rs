@@ -167,8 +167,8 @@ fn gives_the_same_results_as_the_npm_package() {
 fn prints_the_numbers_of_the_paper() {
     let found = prints(&["perception", "--paper"]);
     for words in [
-        "| 0.36 | 0.37",
-        "P(TMP > vGPDM) | 0.87 | 0.88",
+        "| 0.36 | 0.356",
+        "P(TMP > vGPDM) | 0.87 | 0.869",
         "P(vGPDM > vCGPDM) | 0.86 | 0.857",
         "| about 0.8 | 0.79",
         "| 158 | 158 |",

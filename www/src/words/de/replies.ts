@@ -33,7 +33,7 @@ export const words: Replies = {
   },
   borrow: {
     own: "Richtig.",
-    legs: "Nein: Dieser Schwung gehörte den anderen Armen.",
+    legs: "Nein: Diese Arme haben nie von diesen Beinen gelernt.",
     still: "Nein: Sieh auf die Hände.",
   },
   end: {

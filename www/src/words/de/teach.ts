@@ -152,7 +152,7 @@ export const words: TeachWords = {
       asked: [
         [
           "Ist das ein Filmschnitt?",
-          "Nein: Jede Pose wird aus den letzten berechnet, mit Kopplungen zwischen den neuen Nachbarn.",
+          "Nein: Jede Pose wird aus den letzten berechnet. Die neuen Nachbarn hören kaum aufeinander: Sie trafen sich nie.",
         ],
         [
           "Geht jede Kombination?",

@@ -116,7 +116,7 @@ export const terms: TermsWords = {
     iterations: {
       title: "Iteration",
       words:
-        "Ein Schritt der Optimierung, die alle Zahlen des Modells so ändert, dass die Schranke, oft mit Gewichten, steigt. Das Training endet, wenn sie nicht mehr steigt oder nach so vielen Schritten.",
+        "Ein Schritt der Optimierung, die die Zahlen des Modells (zuerst alle außer den latenten Zuständen) so ändert, dass die Schranke, oft mit Gewichten, steigt. Das Training endet, wenn sie nicht mehr steigt oder nach so vielen Schritten.",
     },
     seed: {
       title: "Startwert",
@@ -171,7 +171,7 @@ export const terms: TermsWords = {
     fold: {
       title: "Fold",
       words:
-        "Ein zurückgehaltener Versuch, während die Modelle aus den anderen lernen. Jeder Versuch wird einmal zurückgehalten, damit kein Modell nach dem beurteilt wird, was es gesehen hat.",
+        "Ein zurückgehaltener Versuch, während die Modelle aus den anderen und seinen ersten Bildern lernen. Jeder Versuch wird einmal zurückgehalten: Ein Modell hat den Rest, nach dem es beurteilt wird, nicht gesehen.",
     },
     "confusion-rate": {
       title: "Verwechslungsrate",

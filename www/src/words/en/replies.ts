@@ -49,7 +49,7 @@ export const words: Replies = {
   },
   borrow: {
     own: "Right.",
-    legs: "No: that swing belonged to the other arms.",
+    legs: "No: these arms never learned from these legs.",
     still: "No: look at the hands.",
   },
   end: {

@@ -142,7 +142,7 @@ export const words = {
       asked: [
         [
           "Is that film editing?",
-          "No: each pose is computed from the last ones, with couplings between the new neighbours.",
+          "No: each pose is computed from the last ones. The new neighbours hardly hear each other: they never met.",
         ],
         [
           "Does every combination work?",

@@ -114,7 +114,7 @@ export const terms = {
     iterations: {
       title: "iteration",
       words:
-        "One step of the optimiser, which changes all numbers of the model so that the bound, often with weights, rises. Training ends when it no longer rises, or after this many.",
+        "One step of the optimiser, which changes the numbers of the model (at first all but the latents) so that the bound, often with weights, rises. Training ends when it no longer rises, or after this many.",
     },
     seed: {
       title: "seed",
@@ -169,7 +169,7 @@ export const terms = {
     fold: {
       title: "fold",
       words:
-        "One trial held out, while the models learn from the others. Each trial is held out in turn, so that no model is scored on what it has seen.",
+        "One trial held out, while the models learn from the others and from its first frames. Each trial is held out in turn: a model has not seen the rest of what it is scored on.",
     },
     "confusion-rate": {
       title: "confusion rate",
