@@ -191,3 +191,21 @@ fn ancestors(skeleton: &Skeleton, joint: usize) -> impl Iterator<Item = usize> +
 pub(crate) fn is_within(skeleton: &Skeleton, joint: usize, top: usize) -> bool {
     joint == top || ancestors(skeleton, joint).any(|ancestor| ancestor == top)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::bvh;
+
+    #[test]
+    fn legs_of_clearly_different_lengths_are_no_pair() {
+        let pairs = |y: f64| {
+            let joint = "\n{\nCHANNELS 1 Zrotation\nOFFSET 0 0 0\n";
+            let leg = |x: i32, y: f64| format!("JOINT a{x}{joint}End Site\n{{\nOFFSET {x} {y} 0\n}}\n}}\n");
+            let body = format!("HIERARCHY\nROOT a{joint}{}{}}}\n", leg(1, 9.0), leg(-1, y));
+            let text = format!("{body}MOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0\n");
+            mirrored_pairs(&bvh::read("a.bvh", text.as_bytes()).unwrap().into_clip().skeleton).len()
+        };
+        assert_eq!([9.0, 8.5, 7.0].map(pairs), [1, 1, 0]);
+    }
+}
