@@ -54,13 +54,13 @@ export const words: MethodWords = {
       "Beim vCGPDM fanden Velychko et al. (2018), dass Menschen eine Bewegung umso seltener für die natürliche halten, je größer ihr Fehler auf den Trainingsdaten ist, und passen a und c an; 0,5 wäre vollkommen. Bei DMPs fanden Knopp et al. (2019) keine solche Kurve.",
   },
   table: {
-    label: "Eigenschaften der Modelle",
+    label: "Eigenschaften der Modelle (Velychko et al. 2018, Tabelle 1)",
     model: "Modell",
     properties: ["modular", "skalierbar", "kompakt", "kanonische Dynamik", "gelernte Dynamik"],
     yes: "ja",
     no: "nein",
     see: "Siehe",
-    measuredBy: ", gemessen mit",
+    measuredBy: ", für GPDMs gemessen mit",
     evidence: {
       modular: {
         property: "modular",

@@ -52,13 +52,13 @@ export const words = {
       "Of the vCGPDM, Velychko et al. (2018) found that people take a movement for the natural one less often the larger its error on the training data, and fit a and c; 0.5 would be perfect. Of DMPs, Knopp et al. (2019) found no such curve.",
   },
   table: {
-    label: "Properties of the models",
+    label: "Properties of the models (Velychko et al. 2018, table 1)",
     model: "Model",
     properties: ["modular", "scalable", "compact", "canonical dynamics", "learned dynamics"],
     yes: "yes",
     no: "no",
     see: "See",
-    measuredBy: ", measured by",
+    measuredBy: ", for GPDMs measured by",
     evidence: {
       modular: {
         property: "modular",

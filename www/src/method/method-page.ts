@@ -57,12 +57,12 @@ const EVIDENCE: readonly { property: Property; document: string; command?: strin
   { property: "modular", document: "docs/modularity.md", command: "npm run lab -- modularity" },
   { property: "scalable", document: "docs/training.md", command: "npm run lab -- scaling" },
   { property: "compact", document: "docs/model-format.md" },
-  { property: "dynamics", document: "docs/comparison.md", command: "vcgpdm evaluate" },
+  { property: "dynamics", document: "docs/comparison.md" },
 ];
 
 const modelTable = (words: MethodWords["table"]) => html`
   <div class="table-box" tabindex="0" role="region" aria-label=${words.label}>
-    <table class="symbols model-properties">
+    <table class="symbols model-properties"><caption class="hint">${words.label}</caption>
       <thead class="hint"><tr><th scope="col">${words.model}</th>${words.properties.map((property) => html`<th scope="col">${property}</th>`)}</tr></thead>
       <tbody>${MODELS.map(
         ([model, has]) => html`

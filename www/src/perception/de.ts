@@ -169,9 +169,9 @@ export const words: PerceptionWords = {
     excluded: (count, limit) =>
       ` ${count} ${count === 1 ? "zählt" : "zählen"} nicht: weniger als ${limit} der Aufmerksamkeitsproben bestanden.`,
     caught: (trials, hits, probability) =>
-      `In ${hits} von ${trials} [Kontrolldurchgängen|catch-trial] gewann die Bewegung, die noch nicht gezeigt worden war: Mit Wahrscheinlichkeit ${probability} kannte niemand die anderen auswendig.`,
+      `In ${hits} von ${trials} [Kontrolldurchgängen|catch-trial] gewann die Bewegung, die noch nicht gezeigt worden war: Mit Wahrscheinlichkeit ${probability} sind diese Antworten Zufall, als kennte niemand die anderen auswendig.`,
     needed: (toTell, forPrecision) =>
-      `Eine Einstellung braucht ${toTell} Antworten, um eine Rate, die um 0,1 von einem Halb abweicht, von ihm zu unterscheiden (Teststärke 0,8), und ${forPrecision}, um zu wissen, dass sie höchstens um 0,05 abweicht.`,
+      `Eine Einstellung braucht ${toTell} Antworten, um eine Rate, die um 0,1 von einem Halb abweicht, von ihm zu unterscheiden (Teststärke 0,8), und ${forPrecision}, bis eine Rate, die ein Halb ergab, mit Wahrscheinlichkeit 0,8 höchstens um 0,05 davon abweicht.`,
   },
   figures: {
     needsModel: "Braucht Antworten zu Bewegungen eines Modells.",
@@ -198,7 +198,7 @@ export const words: PerceptionWords = {
     scores: {
       heading: "Verwechslungsrate über jedem Maß",
       caption:
-        "Kurven: logistische Regression mit einem Halb als größtem Wert. [ln K|ln-k] vergleicht sie mit der besten Konstante, beide geprüft an Antworten, an die sie nicht angepasst wurden: Über 0 sagt das Maß etwas darüber, was Menschen sehen. Kein Maß hat mehr als die Zahl nach „höchstens“: So viel erreicht die eigene Rate jeder Einstellung. Das weiche Minimum der Zahlen von Stützpunkten der Dynamik und der Posen liegt nahe bei der kleineren.",
+        "Kurven: logistische Regression mit einem Halb als größtem Wert. [ln K|ln-k] vergleicht sie mit der besten Konstante, beide geprüft an Antworten, an die sie nicht angepasst wurden: Über 0 sagt das Maß diese Antworten besser vorher als die Konstante; bei wenigen Einstellungen kann das Zufall sein. Kein Maß hat mehr als die Zahl nach „höchstens“: So viel erreicht die eigene Rate jeder Einstellung. Das weiche Minimum der Zahlen von Stützpunkten der Dynamik und der Posen liegt nahe bei der kleineren.",
     },
     all: {
       heading: "Alle Modelle über dem Testfehler",

@@ -163,9 +163,9 @@ export const words = {
       `${trials} answers of ${people(participants)}: the model’s movement was taken for the natural one in ${share}.`,
     excluded: (count: number, limit: string) => ` ${count} left out, below ${limit} of the attention checks.`,
     caught: (trials: number, hits: number, probability: string) =>
-      `Of ${trials} [catch trials|catch-trial] the movement not seen before won ${hits}: with probability ${probability} nobody knew the others by heart.`,
+      `Of ${trials} [catch trials|catch-trial] the movement not seen before won ${hits}: with probability ${probability} these answers are chance, as if nobody knew the others by heart.`,
     needed: (toTell: number, forPrecision: number) =>
-      `A setting needs ${toTell} answers to tell a rate 0.1 away from one half (power 0.8), and ${forPrecision} to know that it is within 0.05 of it.`,
+      `A setting needs ${toTell} answers to tell a rate 0.1 away from one half (power 0.8), and ${forPrecision} until a rate found to be one half is within 0.05 of it with probability 0.8.`,
   },
   figures: {
     needsModel: "Needs answers about a model’s movements.",
@@ -192,7 +192,7 @@ export const words = {
     scores: {
       heading: "Confusion rate over each score",
       caption:
-        "Curves: logistic regression with a ceiling of one half. [ln K|ln-k] compares it with the best constant, each tried on answers that it was not fitted to: above 0 the score says something about what people see. No score has more than the number after “at most”: each setting’s own rate reaches it. The soft minimum of the numbers of dynamics and pose inducing points is near the smaller one.",
+        "Curves: logistic regression with a ceiling of one half. [ln K|ln-k] compares it with the best constant, each tried on answers that it was not fitted to: above 0 the score predicts these answers better than the constant does; with few settings that can be chance. No score has more than the number after “at most”: each setting’s own rate reaches it. The soft minimum of the numbers of dynamics and pose inducing points is near the smaller one.",
     },
     all: {
       heading: "All models over the test error",

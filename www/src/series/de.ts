@@ -32,7 +32,7 @@ export const words: SeriesWords = {
   },
   begin: {
     title: "Kurven, die kein Körper sind",
-    text: "Kräfte, Gelenkmomente, Muskelaktivität, Preise, zwei Maschinen: was immer du mehrfach zugleich gemessen hast. Spalten kommen in Teile; jeder Teil bekommt einen latenten Raum, und die Kopplungen sagen, welcher Teil welchen treibt. Ein Modell von Tabellen ist eine Datei wie alle anderen.",
+    text: "Kräfte, Gelenkmomente, Muskelaktivität, Preise, zwei Maschinen: was immer du mehrfach zugleich gemessen hast. Spalten kommen in Teile; jeder Teil bekommt einen latenten Raum, und die Kopplungen sagen, wessen Vergangenheit welchen Teil vorherzusagen hilft. Ein Modell von Tabellen ist eine Datei wie alle anderen.",
     example: "Ein Beispiel öffnen",
     machines: "Zwei erdachte Maschinen, aus einer Formel; die zweite folgt der ersten etwas später.",
   },

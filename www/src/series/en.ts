@@ -32,7 +32,7 @@ export const words = {
   },
   begin: {
     title: "Curves that are no body",
-    text: "Forces, joint torques, muscle activity, prices, two machines: whatever you measured several of at once. Columns are put into parts; each part gets a latent space, and the couplings say which part drives which. A model of tables is one file, like all others.",
+    text: "Forces, joint torques, muscle activity, prices, two machines: whatever you measured several of at once. Columns are put into parts; each part gets a latent space, and the couplings say which part’s past helps to predict which. A model of tables is one file, like all others.",
     example: "Open an example",
     machines: "Two made-up machines, by a formula; the second follows the first a little later.",
   },

@@ -103,10 +103,10 @@ const loop: Words["chapters"]["loop"] = {
   hintOff: "Zieh den Punkt jetzt irgendwohin. Farbe: wo das Modell die Pose kennt.",
   walk: "Lass ihn gehen",
   offLoop: (here: string, loop: string) =>
-    `Hier ist der Zweifel des Modells an der Pose ${withComma(here)} % des Zweifels vor dem Training; auf der Schleife sind es ` +
+    `Hier ist der Zweifel des Modells an der Pose ${withComma(here)} % des Zweifels weit weg von allen Daten; auf der Schleife sind es ` +
     `höchstens ${withComma(loop)} %. Die Beine sind so blass gezeichnet, wie das Modell unsicher ist.`,
   onLoop: (loop: string) =>
-    `Auf der Schleife ist der Zweifel des Modells an der Pose höchstens ${withComma(loop)} % des Zweifels vor dem Training.`,
+    `Auf der Schleife ist der Zweifel des Modells an der Pose höchstens ${withComma(loop)} % des Zweifels weit weg von allen Daten.`,
   equation:
     "Die Posenabbildung g macht aus einem Punkt x eine Pose y. Ihr Zweifel ist die Standardabweichung von g bei x.",
 };

@@ -102,10 +102,10 @@ const loop = {
   hintOff: "Now drag the dot anywhere. Colour: where the model knows the pose.",
   walk: "Let it walk",
   offLoop: (here: string, loop: string) =>
-    `Here the model’s doubt about the pose is ${here} % of its doubt before training; on the loop it is at most ` +
+    `Here the model’s doubt about the pose is ${here} % of its doubt far from all data; on the loop it is at most ` +
     `${loop} %. The legs are drawn as faintly as the model is unsure.`,
   onLoop: (loop: string) =>
-    `On the loop the model’s doubt about the pose is at most ${loop} % of the doubt that it had before training.`,
+    `On the loop the model’s doubt about the pose is at most ${loop} % of its doubt far from all data.`,
   equation: "The pose map g makes a pose y of a point x. Its doubt is the deviation of g at x.",
 };
 

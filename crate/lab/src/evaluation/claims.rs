@@ -5,7 +5,9 @@
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::candidate_text::size_numbers;
-use crate::evaluation::correlation::{by_preference, correlation, training_correlation};
+use crate::evaluation::correlation::{
+    by_preference, correlation, correlation_by_dynamics, training_correlation,
+};
 use crate::evaluation::effect::{Choice, Contender, Effect, Errors};
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
@@ -147,6 +149,17 @@ impl Claims<'_> {
         }
     }
 
+    /// Adds the claim that the rank correlation of bound and error is below 0.
+    fn add_correlation(&mut self, sentence: &Sentence, criterion: &str, correlation: Option<Correlation>) {
+        let Some(c) = correlation else { return };
+        let interval = c.interval.map_or(String::new(), |interval| format!(" ({interval})"));
+        let (rank, trials) = (fixed(c.rank, 2), counted(c.folds, "trial"));
+        let (model, settings) = (c.model.title(), c.settings);
+        let found = format!("{model}: {rank}{interval} over {settings} settings (mean of {trials})");
+        let answer = c.interval.map_or(ClaimAnswer::Undecided, |interval| is_below(interval, 0.0));
+        self.add(sentence, criterion, found, answer);
+    }
+
     fn add_exponent(
         &mut self,
         sentence: &Sentence,
@@ -210,11 +223,9 @@ pub(super) fn secondary_claims(
     }
     // The number that the bound chooses would count twice.
     let given = |c: &Candidate| matches!(c, Candidate::Model(Settings::Tmp(s)) if s.primitives.is_some());
-    if let Some(c) = correlation(&settings(rows, Tmp, &given), String::new(), labels) {
-        let (found, answer) = correlated(&c);
-        let criterion = "the rank correlation over the numbers of primitives, within each trial, is below 0 in the mean: its interval is";
-        claims.add(&TMP_CORRELATES, criterion, found, answer);
-    }
+    let criterion = "the rank correlation over the numbers of primitives, within each trial, is below 0 in the mean: its interval is";
+    let found = correlation(&settings(rows, Tmp, &given), String::new(), labels);
+    claims.add_correlation(&TMP_CORRELATES, criterion, found);
     for growth in growth {
         match growth.model {
             CandidateKind::Model(Vcgpdm) => {
@@ -354,16 +365,10 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, by_rollouts: &Contende
         claims.add_lower((&BOUND_CHOOSES, criterion), &kind.errors, &by_rollouts.errors, NEARLY, &names);
     }
     let first = claims.0.len();
+    let criterion = "the rank correlation over the dynamics inducing points, for each number of pose points and within each trial, is below 0 in the mean: its interval is";
+    claims.add_correlation(&BOUND_CORRELATES, criterion, correlation_by_dynamics(&kind.settings, labels));
     let criterion = "the rank correlation over the inducing points, within each trial, is below 0 in the mean: its interval is";
-    for (sentence, correlation) in [
-        (&BOUND_CORRELATES, correlation(&kind.settings, String::new(), labels)),
-        (&BOUND_TELLS_TRAINING, training_correlation(&kind.settings, labels)),
-    ] {
-        if let Some(c) = correlation {
-            let (found, answer) = correlated(&c);
-            claims.add(sentence, criterion, found, answer);
-        }
-    }
+    claims.add_correlation(&BOUND_TELLS_TRAINING, criterion, training_correlation(&kind.settings, labels));
     dynamics_or_poses(claims, &kind.settings, labels);
     for claim in claims.0.iter_mut().skip(first).filter(|_| !is_primary) {
         claim.claim.push_str(" Said of the vCGPDM.");
@@ -391,18 +396,6 @@ fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
     let (a, b) = (dynamics.training_errors(&folds), poses.training_errors(&folds));
     let criterion = "with the same number of inducing points, more in the dynamics give a lower error: the interval of the ratio is below 1";
     claims.add_lower((&DYNAMICS_COUNT_MORE, criterion), &a, &b, 1.0, &names);
-}
-
-fn correlated(c: &Correlation) -> (String, ClaimAnswer) {
-    let found = format!(
-        "{}: {}{} over {} settings (mean of {})",
-        c.model.title(),
-        fixed(c.rank, 2),
-        c.interval.map_or(String::new(), |interval| format!(" ({interval})")),
-        c.settings,
-        counted(c.folds, "trial")
-    );
-    (found, c.interval.map_or(ClaimAnswer::Undecided, |interval| is_below(interval, 0.0)))
 }
 
 /// Whether the error is smallest near a number: higher with the fewest, and with the most.

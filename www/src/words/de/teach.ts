@@ -75,7 +75,8 @@ export const words: TeachWords = {
     loop: {
       say: "Viele Winkel, drei Zahlen. Neben der Schleife hat das Modell keine Daten.",
       wrong: "Die Ebene wird als Karte von Orten gelesen: Sie ist eine Karte von Posen.",
-      answer: "Sie verblasst: Neben der Schleife wächst der Zweifel, weit weg bis zu dem vor dem Training.",
+      answer:
+        "Sie verblasst: Neben der Schleife wächst der Zweifel, weit weg bis zu dem eines Modells ohne Daten.",
       asked: [
         [
           "Warum drei Zahlen?",
@@ -152,7 +153,7 @@ export const words: TeachWords = {
       asked: [
         [
           "Ist das ein Filmschnitt?",
-          "Nein: Jede Pose wird aus den letzten berechnet. Die neuen Nachbarn hören kaum aufeinander: Sie trafen sich nie.",
+          "Nein: Jede Pose wird aus den letzten berechnet. Hier hören die neuen Nachbarn kaum aufeinander: Sie trafen sich nie.",
         ],
         [
           "Geht jede Kombination?",
@@ -217,7 +218,7 @@ export const words: TeachWords = {
         ],
         [
           "Was geschieht mit der Figur, wenn ihr Zustand die gelernte Kurve verlässt, und warum?",
-          "Das Modell hat diese Punkte nie gesehen: Sein Zweifel wächst, weit weg bis zu dem vor dem Training, und die Figur verblasst.",
+          "Das Modell hat diese Punkte nie gesehen: Sein Zweifel wächst, weit weg bis zu dem eines Modells ohne Daten, und die Figur verblasst.",
         ],
         [
           "Ein Gaußprozess gibt zu jeder Vorhersage zweierlei. Was?",
@@ -263,7 +264,7 @@ export const words: TeachWords = {
       pose: "Die Beine gehen weiter, die Arme behalten eine Pose.",
       ratio: "Ändere zwei Kopplungen je um den Faktor 2 oder mehr. Die Bewegung bleibt genau wie gelernt.",
       idle: "Ändere eine Kopplung um das Hundertfache oder mehr. Hände und Füße bewegen sich wie zuvor, auf 5 % genau.",
-      halt: "Halte den ganzen Körper mit einer geänderten Kopplung an.",
+      halt: "Lass den ganzen Körper mit einer geänderten Kopplung in einer Pose bleiben.",
       few: "Trainiere ein Modell der Beispielgänge mit höchstens 6 Punkten für die Dynamik jedes Teils. Es geht weiter.",
       hands:
         "Zeichne zwei Kreise in zwei Tempi, mit jeder Hand einen. Halte eine Hand mit einem Pfeil an; die andere zeichnet weiter.",

@@ -71,7 +71,7 @@ export const words = {
     loop: {
       say: "Many angles, three numbers. Away from the loop the model has no data.",
       wrong: "The plane is read as a map of places: it is a map of poses.",
-      answer: "It fades: off the loop the model’s doubt grows, far away to what it was before training.",
+      answer: "It fades: off the loop the model’s doubt grows, far away to that of a model without data.",
       asked: [
         [
           "Why three numbers?",
@@ -142,7 +142,7 @@ export const words = {
       asked: [
         [
           "Is that film editing?",
-          "No: each pose is computed from the last ones. The new neighbours hardly hear each other: they never met.",
+          "No: each pose is computed from the last ones. Here the new neighbours hardly hear each other: they never met.",
         ],
         [
           "Does every combination work?",
@@ -201,7 +201,7 @@ export const words = {
         ],
         [
           "What happens to the figure when its state leaves the learned curve, and why?",
-          "The model has never seen these points: its doubt grows, far away to what it was before training, and the figure fades.",
+          "The model has never seen these points: its doubt grows, far away to that of a model without data, and the figure fades.",
         ],
         [
           "A Gaussian process gives two things for each prediction. Which?",
@@ -247,7 +247,7 @@ export const words = {
       pose: "Let the legs walk on while the arms keep one pose.",
       ratio: "Change two couplings by a factor of 2 or more each. The motion stays exactly as learned.",
       idle: "Change one coupling a hundredfold or more. Hands and feet move as before, within 5 %.",
-      halt: "Stop the whole body by one changed coupling.",
+      halt: "Let the whole body keep one pose by one changed coupling.",
       few: "Train a model of the sample walks with at most 6 points for the dynamics of each part. It walks on.",
       hands:
         "Draw two circles at two tempos, one with each hand. Stop one hand with one arrow; the other draws on.",
