@@ -40,7 +40,7 @@ seldom.it("walks by two keys, and what was done becomes a clip and a model", asy
   assert.ok(stood < 0.02, `the body glides ${stood} m while nobody steps`);
   await page.keyboard.press("f");
   await page.keyboard.press("f");
-  await page.getByTestId("perform").getByText("no hops").waitFor();
+  await page.getByTestId("perform").getByText("no step of this cycle").waitFor();
   assert.deepEqual(await barriers(page), []);
   await page.getByTestId("record").click();
   await page.getByTestId("train-performed").click();
