@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use vcgpdm::motion::{bvh, parts};
+use vcgpdm_core::motion::{bvh, parts};
 
 fuzz_target!(|bytes: &[u8]| {
     let Ok(recording) = bvh::read("fuzzed.bvh", bytes) else { return };

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use vcgpdm::models::Model;
+use vcgpdm_core::models::Model;
 
 fuzz_target!(|text: &str| {
     let Ok(model): Result<Model, _> = Model::from_json(text) else { return };

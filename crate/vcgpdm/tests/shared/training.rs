@@ -5,8 +5,8 @@ use nalgebra::DMatrix;
 use std::sync::Arc;
 use vcgpdm_core::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
 use vcgpdm_core::models::{
-    ColumnMapping, Dataset, DmpSettings, Endless, MapSettings, Model, RolloutRequest, Settings, Source,
-    TmpSettings, Trainer, VariationalSettings,
+    ColumnMapping, Dataset, DmpSettings, Endless, MapSettings, Model, PoseWeight, RolloutRequest, Settings,
+    Source, TmpSettings, Trainer, VariationalSettings,
 };
 use vcgpdm_core::motion::sha256;
 use vcgpdm_core::motion::{bvh, parts, samples};
@@ -84,7 +84,7 @@ const SMALL: VariationalSettings = VariationalSettings {
     dynamics_ips: 6,
     pose_ips: 6,
     max_iterations: 5,
-    pose_weight: vcgpdm::PoseWeight::Fixed(1.0),
+    pose_weight: PoseWeight::Fixed(1.0),
     uncoupled: false,
     own_rollouts: false,
 };
