@@ -21,8 +21,8 @@ use vcgpdm_lab::perception::{Look, Maker, Preset, Study, StudyMovement, TrialKin
 /// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more
 /// natural?
 ///
-/// Of the results of an evaluation and its clips, the study takes every model but promp and ar with all its settings, and of
-/// several seeds the one whose rollouts repeat the training trials best. Each is trained again, because results do not contain
+/// Of the results of an evaluation and its clips, the study takes every model but promp and ar with all its
+/// settings, and of several seeds the one whose rollouts repeat the training trials best. Each is trained again, because results do not contain
 /// movements, and predicts each trial held out. This takes as long as the trainings took; the number of
 /// seconds is printed before. Without clips, the command changes the design or the look of a study, or marks
 /// other movements as failures.

@@ -3,7 +3,6 @@
 //! Here everything is public, for the npm package, the terminal program, the Python package and the measurements of this
 //! project. Any version may change it.
 
-#![allow(missing_docs)]
 // Tests need not give the same bits on every platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 

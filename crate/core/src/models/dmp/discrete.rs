@@ -2,9 +2,9 @@
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
-use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+use crate::models::data::phase::{Alignment, PhaseAxis, Trial};
 use crate::models::dmp::model::{Canonical, Dmp, DmpStart};
-use crate::models::dmp::spring::{ALPHA_Z, Curve, OVERLAP, SpringStart, regress};
+use crate::models::dmp::spring::{ALPHA_Z, Curve, OVERLAP, regress};
 use nalgebra::{DMatrix, DVector};
 
 /// A column is scaled by g - y(0) only if that is at least this share of its range in every whole trial, with
@@ -35,11 +35,6 @@ impl Dmp {
         };
         let widths: Vec<f64> = (0..bases).map(width).collect();
         let alignment = Alignment::new(trials, Some(PhaseAxis::Trial));
-        let start = |(trial, map): (&Trial, &PhaseMap)| DmpStart {
-            map: *map,
-            amplitude: 1.0,
-            spring: SpringStart::at_first_frame(&trial.y),
-        };
         let whole: Vec<&DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| &t.y).collect();
         let d = trials.first().map_or(0, |t| t.y.ncols());
         let count = whole.len().max(1) as f64;
@@ -49,7 +44,7 @@ impl Dmp {
             canonical: Canonical::Discrete { alpha_x, centres, widths, scaled: scaled.clone() },
             goal: whole.iter().map(|y| end(y)).fold(DVector::zeros(d), |sum, g| sum + g) / count,
             weights: DMatrix::zeros(bases, d),
-            starts: trials.iter().zip(&alignment.maps).map(start).collect(),
+            starts: trials.iter().zip(&alignment.maps).map(DmpStart::new).collect(),
             columns: columns.to_vec(),
         };
 
@@ -63,9 +58,7 @@ impl Dmp {
             let goal = DVector::from_fn(d, |k, _| if scaled[k] { own[k] } else { model.goal[k] });
             let curve = Curve::new(y);
             let target = curve.forces(&goal, 1.0 / map.rate);
-            let phases = curve.times().into_iter().map(|t| map.start + map.rate * t);
-            let rows: Vec<_> = phases.map(|phase| model.features(phase).transpose()).collect();
-            let features = DMatrix::from_rows(&rows);
+            let features = model.features_along(&curve, map);
             let (gram, moment) = (features.tr_mul(&features), features.tr_mul(&target));
             for k in (0..d).filter(|&k| scaled[k]) {
                 let s = goal[k] - y[(0, k)];

@@ -11,11 +11,14 @@ use crate::models::training::interface::Training;
 use crate::models::training::progress::{EndReason, Progress};
 use crate::models::training::settings::{DmpSettings, MOST_BASES};
 
+/// The regression of one kind from trials, numbers of columns and the number of bases.
+pub(super) type Fit = fn(&[Trial], &[usize], usize) -> Result<Dmp, NumericsError>;
+
 /// A training of dynamic movement primitives in a single step.
 pub struct DmpLearner {
     trials: Vec<Trial>,
     columns: Vec<usize>,
-    is_rhythmic: bool,
+    fit: Fit,
     bases: usize,
     fitted: Option<Dmp>,
     error: f64,
@@ -23,26 +26,20 @@ pub struct DmpLearner {
 }
 
 impl DmpLearner {
-    /// A training before its step, of a movement around a centre if it `is_rhythmic`, else towards a goal.
+    /// A training before its step. `fit` is [`Dmp::discrete`] or [`Dmp::rhythmic`].
     ///
     /// # Errors
     ///
     /// When the number of bases is out of its range, or the model cannot learn from the movements.
-    pub fn new(
-        movements: &Movements,
-        is_rhythmic: bool,
-        settings: &DmpSettings,
-    ) -> Result<Self, TrainingError> {
+    pub fn new(movements: &Movements, fit: Fit, settings: &DmpSettings) -> Result<Self, TrainingError> {
         in_range("the number of bases", settings.bases, MOST_BASES)?;
         let (trials, columns) = split_trials(movements)?;
         let (bases, error) = (settings.bases, f64::INFINITY);
-        Ok(Self { trials, columns, is_rhythmic, bases, fitted: None, error, reason: None })
+        Ok(Self { trials, columns, fit, bases, fitted: None, error, reason: None })
     }
 
     fn fit(&self) -> Result<Dmp, NumericsError> {
-        let (trials, columns, bases) = (&self.trials, &self.columns, self.bases);
-        let fit = if self.is_rhythmic { Dmp::rhythmic } else { Dmp::discrete };
-        fit(trials, columns, bases)
+        (self.fit)(&self.trials, &self.columns, self.bases)
     }
 
     /// The model; before the step, or after a step that failed, it is fitted here to return the error.

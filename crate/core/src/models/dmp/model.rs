@@ -2,8 +2,8 @@
 
 use crate::elementary::Elementary;
 use crate::models::data::movements::split;
-use crate::models::data::phase::PhaseMap;
-use crate::models::dmp::spring::{SpringStart, integrate};
+use crate::models::data::phase::{PhaseMap, Trial};
+use crate::models::dmp::spring::{Curve, SpringStart, integrate};
 use crate::models::rollout::request::{Handles, RolloutError, check_frames};
 use crate::models::training::kind::ModelKind;
 use nalgebra::{DMatrix, DVector};
@@ -71,6 +71,13 @@ pub struct DmpStart {
     pub spring: SpringStart,
 }
 
+impl DmpStart {
+    /// The start of a trial with its place in the alignment.
+    pub(super) fn new((trial, map): (&Trial, &PhaseMap)) -> Self {
+        Self { map: *map, amplitude: 1.0, spring: SpringStart::at_first_frame(&trial.y) }
+    }
+}
+
 /// Fitted dynamic movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dmp {
@@ -99,6 +106,13 @@ impl Dmp {
     /// The bases at a phase, to be multiplied by the weights `[B]`.
     pub(super) fn features(&self, phase: f64) -> DVector<f64> {
         self.canonical.features(phase, self.weights.nrows())
+    }
+
+    /// The bases at the times of a curve whose trial has this place in the alignment [times x B].
+    pub(super) fn features_along(&self, curve: &Curve, map: &PhaseMap) -> DMatrix<f64> {
+        let phases = curve.times().into_iter().map(|t| map.start + map.rate * t);
+        let rows: Vec<_> = phases.map(|phase| self.features(phase).transpose()).collect();
+        DMatrix::from_rows(&rows)
     }
 
     /// The movement from the start of a training sequence, under `handles` of centred columns in the order of the

@@ -1,9 +1,9 @@
 //! Dynamic movement primitives around a centre: their regression, and the starts of partial trials.
 
 use crate::gp::NumericsError;
-use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+use crate::models::data::phase::{Alignment, PhaseAxis, Trial};
 use crate::models::dmp::model::{Canonical, Dmp, DmpStart};
-use crate::models::dmp::spring::{Curve, OVERLAP, SpringStart, integrate, regress};
+use crate::models::dmp::spring::{Curve, OVERLAP, integrate, regress};
 use crate::models::rollout::request::Handles;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -24,25 +24,18 @@ impl Dmp {
     pub fn rhythmic(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
         let alignment = Alignment::new(trials, Some(PhaseAxis::Cycle));
         let d = trials.first().map_or(0, |t| t.y.ncols());
-        let start = |(trial, map): (&Trial, &PhaseMap)| DmpStart {
-            map: *map,
-            amplitude: 1.0,
-            spring: SpringStart::at_first_frame(&trial.y),
-        };
         let mut model = Self {
             canonical: Canonical::Rhythmic { concentration: (bases as f64 / (TAU * OVERLAP)).powi(2) },
             goal: alignment.template(trials).row_mean().transpose(),
             weights: DMatrix::zeros(bases, d),
-            starts: trials.iter().zip(&alignment.maps).map(start).collect(),
+            starts: trials.iter().zip(&alignment.maps).map(DmpStart::new).collect(),
             columns: columns.to_vec(),
         };
         let (mut gram, mut moment) = (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, d));
         for (trial, map) in trials.iter().zip(&alignment.maps).filter(|(trial, _)| trial.whole) {
             let curve = Curve::new(&trial.y);
             let target = curve.forces(&model.goal, 1.0 / (TAU * map.rate));
-            let phases = curve.times().into_iter().map(|t| map.start + map.rate * t);
-            let rows: Vec<_> = phases.map(|phase| model.features(phase).transpose()).collect();
-            let features = DMatrix::from_rows(&rows);
+            let features = model.features_along(&curve, map);
             gram += features.tr_mul(&features);
             moment += features.tr_mul(&target);
         }

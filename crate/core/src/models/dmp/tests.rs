@@ -154,11 +154,12 @@ fn a_learner_needs_one_step_and_refuses_0_bases() {
         y,
         sequences: vec![Sequence { frames: 55, whole: true }, Sequence { frames: 5, whole: false }],
     };
-    for (is_rhythmic, kind, numbers) in [
-        (false, ModelKind::DmpDiscrete, 10 * 3 + 4 * 3 + 3),
-        (true, ModelKind::DmpRhythmic, 10 * 3 + 3 * 3 + 4),
+    let [discrete, rhythmic]: [learner::Fit; 2] = [Dmp::discrete, Dmp::rhythmic];
+    for (fit, kind, numbers) in [
+        (discrete, ModelKind::DmpDiscrete, 10 * 3 + 4 * 3 + 3),
+        (rhythmic, ModelKind::DmpRhythmic, 10 * 3 + 3 * 3 + 4),
     ] {
-        let mut learner = DmpLearner::new(&movements, is_rhythmic, &DmpSettings { bases: 10 }).unwrap();
+        let mut learner = DmpLearner::new(&movements, fit, &DmpSettings { bases: 10 }).unwrap();
         let progress = learner.step();
         assert!(progress.done && progress.best.is_finite() && progress.best <= 0.0, "{progress:?}");
         let model = learner.model().unwrap();
@@ -168,15 +169,14 @@ fn a_learner_needs_one_step_and_refuses_0_bases() {
         assert!(y[0].iter().all(|v| v.is_finite()));
         assert!(model.rollout(2, 80).is_err() && model.rollout(0, 0).is_err());
     }
-    let none = DmpLearner::new(&movements, true, &DmpSettings { bases: 0 });
-    let error = none.err().unwrap().to_string();
-    assert_eq!(error, "the number of bases must be from 1 to 200, found 0");
+    let none = DmpLearner::new(&movements, rhythmic, &DmpSettings { bases: 0 });
+    assert_eq!(none.err().unwrap().to_string(), "the number of bases must be from 1 to 200, found 0");
     // A still movement stays where it is.
     let still =
         Movements { y: vec![DMatrix::zeros(20, 2)], sequences: vec![Sequence { frames: 20, whole: true }] };
-    for is_rhythmic in [false, true] {
+    for fit in [discrete, rhythmic] {
         for bases in [1, 30] {
-            let learner = DmpLearner::new(&still, is_rhythmic, &DmpSettings { bases }).unwrap();
+            let learner = DmpLearner::new(&still, fit, &DmpSettings { bases }).unwrap();
             let model = learner.model().unwrap();
             assert!(model.rollout(0, 30).unwrap()[0].amax() < 1e-9);
         }

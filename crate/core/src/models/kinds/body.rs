@@ -67,8 +67,8 @@ impl<S: ColumnMapping> Body<S> {
 
     /// Multiplies the columns of a body that are changes from frame to frame, such as its way over the ground.
     pub(super) fn scale_rates(&self, y: &mut DMatrix<f64>, speed: f64) {
-        let columns = self.mapping.poses().map(PoseMapping::columns).unwrap_or_default();
-        for (d, _) in columns.iter().enumerate().filter(|(_, column)| column.kind.is_rate()) {
+        let root = self.mapping.poses().into_iter().flat_map(PoseMapping::root_columns);
+        for (d, _) in root.enumerate().filter(|(_, column)| column.kind.is_rate()) {
             y.column_mut(d).scale_mut(speed);
         }
     }

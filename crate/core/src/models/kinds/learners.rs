@@ -2,7 +2,7 @@
 
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
-use crate::models::dmp::DmpLearner;
+use crate::models::dmp::{Dmp, DmpLearner};
 use crate::models::errors::TrainingError;
 use crate::models::kinds::fitted_model::FittedModel;
 use crate::models::map::MapLearner;
@@ -58,8 +58,8 @@ impl Settings {
             Settings::MapGpdm(s) => Box::new(MapLearner::new(movements.as_one_part(), s, seed)?),
             Settings::MapCgpdm(s) => Box::new(MapLearner::new(movements.clone(), s, seed)?),
             Settings::Tmp(s) => Box::new(TmpLearner::new(movements, s)?),
-            Settings::DmpDiscrete(s) => Box::new(DmpLearner::new(movements, false, s)?),
-            Settings::DmpRhythmic(s) => Box::new(DmpLearner::new(movements, true, s)?),
+            Settings::DmpDiscrete(s) => Box::new(DmpLearner::new(movements, Dmp::discrete, s)?),
+            Settings::DmpRhythmic(s) => Box::new(DmpLearner::new(movements, Dmp::rhythmic, s)?),
         })
     }
 }

@@ -201,15 +201,19 @@ impl PoseMapping {
         &self.stage
     }
 
-    /// The columns of Y: six of the root, then three of each other joint, in the order of the joints.
-    pub fn columns(&self) -> Vec<Column> {
-        let root = ROOT_COLUMNS.into_iter().map(|kind| match (kind, self.climbs_from) {
+    /// The columns of the root, which are the first.
+    pub(crate) fn root_columns(&self) -> impl Iterator<Item = Column> {
+        ROOT_COLUMNS.into_iter().map(|kind| match (kind, self.climbs_from) {
             (ColumnKind::Height, Some(_)) => Column { joint: 0, kind: ColumnKind::HeightRate },
             _ => Column { joint: 0, kind },
-        });
+        })
+    }
+
+    /// The columns of Y: six of the root, then three of each other joint, in the order of the joints.
+    pub fn columns(&self) -> Vec<Column> {
         let others = (1..self.skeleton.joints.len())
             .flat_map(|joint| (0..3).map(move |axis| Column { joint, kind: ColumnKind::Rotation(axis) }));
-        root.chain(others).collect()
+        self.root_columns().chain(others).collect()
     }
 
     /// The number of columns of Y.
