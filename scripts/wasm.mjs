@@ -50,9 +50,9 @@ const compiled = at(".tools", "wasm");
 const declarations = at(".tools", "types.d.ts");
 
 function rustSources() {
-  const sources = ["crate/vcgpdm", "crate/lab", "crate/wasm", "tools/bindgen", "Cargo.toml", "Cargo.lock"];
+  const crates = ["crate/core", "crate/vcgpdm", "crate/lab", "crate/wasm", "tools/bindgen"];
   return filesUnder(
-    [...sources, ".cargo/config.toml", "scripts/wasm.mjs"].map((path) => at(path)),
+    [...crates, "Cargo.toml", "Cargo.lock", ".cargo/config.toml", "scripts/wasm.mjs"].map((path) => at(path)),
     ["pkg", "target", "tests", "benches", "js"],
   );
 }

@@ -1,7 +1,7 @@
-// Models of kinds without couplings: their motion moves on the stage in front of the model, whose couplings stay.
+// Models other than a vCGPDM or vGPDM: their motion moves on the stage in front of the model, whose couplings stay.
 // Loaded at the first use.
 import type { WholeWorkers } from "../engine/whole-workers";
-import type { Drag, Handles, MadeMotion } from "../engine/whole-protocol";
+import type { ByHand, Drag, MadeMotion } from "../engine/whole-protocol";
 import type { Playback } from "../stage/playback";
 import type { NoticesStore } from "../ui/notices-store";
 import { loadPerforming, performingWords } from "../words/sections";
@@ -21,7 +21,7 @@ interface OtherModel extends MadeMotion {
   text: string;
   /** The file on the page's host that the address names; empty: none. */
   modelFile: string;
-  /** Whether its handles have changed the motion. */
+  /** Whether the visitor has changed the motion. */
   byHand: boolean;
 }
 
@@ -52,10 +52,11 @@ export async function showAnyModel(
 ): Promise<void> {
   const { stage, settings, workers } = app;
   const { frames } = link ?? settings.values;
-  const roll = (handles?: Handles, drag?: Drag) =>
+  const roll = (handles?: ByHand, drag?: Drag) =>
     workers.desk.run((worker) => worker.rollOutAny(text, frames, handles, drag));
   const made = await roll();
-  const hasHandles = /tmp|dmp/.test(made.kind);
+  const isMap = made.kind === "map-cgpdm";
+  const hasHandles = isMap || /tmp|dmp/.test(made.kind);
   const [module] = await Promise.all(
     hasHandles
       ? [import("../live/handles-store"), import("../live/handles-view"), loadPerforming(app.words)]
@@ -65,7 +66,7 @@ export async function showAnyModel(
   const { modelFile, packedModel } = settings.values;
   const caption = {
     title: lab().stage.madeBy(modelStyle(made.kind).name),
-    text: hasHandles ? performingWords().handles.caption : "",
+    text: hasHandles ? performingWords().handles[isMap ? "captionMap" : "caption"] : "",
   };
   const named = { text, name: name.replace(/(\.model)?\.json$/i, ""), modelFile: link ? modelFile : "" };
   let content: StageContent | null = null;

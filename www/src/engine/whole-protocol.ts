@@ -28,6 +28,7 @@ import type {
 import type { LibraryWorker } from "./library-protocol";
 import type {
   ClipsWorker,
+  Couplings,
   Figure,
   Health,
   JointInfo,
@@ -310,6 +311,9 @@ export interface Drag {
   changes: "pose" | "goal";
 }
 
+/** What is changed by hand: of a TMP or DMP its handles, of a MAP CGPDM its coupling variances. */
+export type ByHand = Handles & { alpha?: Couplings };
+
 /** A motion that a model of any kind has made. */
 export interface MadeMotion {
   kind: ModelKind;
@@ -320,15 +324,17 @@ export interface MadeMotion {
   /** The motion as BVH. */
   bvh: string;
   /** What was changed. */
-  handles: Handles;
+  handles: ByHand;
+  /** The learned coupling variances of a MAP CGPDM; empty for another kind. */
+  alpha: Couplings;
 }
 
 export interface AnyModelWorker {
   /**
-   * The rollout of a model of any kind, from the start of its first sequence; that of a TMP or DMP under handles and
-   * a drag, which is added to them.
+   * The rollout of a model of any kind, from the start of its first sequence; that of a TMP, DMP or MAP CGPDM as
+   * changed by hand, with a drag that is added to the handles.
    */
-  rollOutAny(text: string, frames: number, handles?: Handles, drag?: Drag): MadeMotion;
+  rollOutAny(text: string, frames: number, handles?: ByHand, drag?: Drag): MadeMotion;
 }
 
 /** All calls of a worker that runs the whole program. */

@@ -7,12 +7,12 @@ import { FakeSeries } from "./series.fake";
 import type { WholeCalls, WholeWorkers } from "./whole-workers";
 import type {
   AnswersFile,
+  ByHand,
   ComparisonSettings,
   Evaluated,
   EvaluationJob,
   Experiment,
   FinishedJob,
-  Handles,
   Job,
   CompletionRequest,
   MadeMotion,
@@ -67,12 +67,14 @@ export const clip = (id: number): TrainingClip => ({
 });
 
 /** The motion of a model of another kind, whose document has only its kind. */
-function made(text: string, frames: number, handles: Handles = {}): MadeMotion {
+function made(text: string, frames: number, handles: ByHand = {}): MadeMotion {
   const { kind } = JSON.parse(text) as { kind: ModelKind };
   const figure = { nodes: [{ joint: 0, parent: null, endSite: false }] };
   const joints = [{ name: "hips", parent: null, channels: [] }];
   const motion = { positions: new Float32Array(3 * frames), frames, nodes: 1, frameTime: 0.1 };
-  return { kind, figure, joints, parts: [{ name: "whole", joints: [0] }], motion, bvh: "HIERARCHY", handles };
+  const parts = [{ name: "whole", joints: [0] }];
+  const alpha = kind === "map-cgpdm" ? [[2]] : [];
+  return { kind, figure, joints, parts, motion, bvh: "HIERARCHY", handles, alpha };
 }
 
 const idOf = ({ candidate, heldOut, trainingTrials, seed }: Job) =>

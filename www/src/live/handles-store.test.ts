@@ -1,11 +1,11 @@
 import { beforeEach, expect, it, vi } from "vitest";
-import type { Drag, Handles, MadeMotion } from "../engine/whole-protocol";
+import type { ByHand, Drag, MadeMotion } from "../engine/whole-protocol";
 import { Playback } from "../stage/playback";
 import { HandlesStore } from "./handles-store";
 
 /** A root, a hand on each side of it, and a foot, 10 frames. */
 const POSE = [0, 1, 0, 0.5, 1, 0, -0.7, 1.1, 0, 0.9, 0, 0];
-const made = (handles: Handles): MadeMotion => ({
+const made = (handles: ByHand, alpha: number[][] = []): MadeMotion => ({
   kind: "dmp-rhythmic",
   figure: { nodes: POSE.slice(0, 4).map(() => ({ joint: 0, parent: null, endSite: false })) },
   joints: [],
@@ -18,15 +18,21 @@ const made = (handles: Handles): MadeMotion => ({
   },
   bvh: "",
   handles,
+  alpha,
 });
 
+const ALPHA = [
+  [1, 2],
+  [3, 4],
+];
+
 let playback: Playback;
-let asked: [Handles, Drag?][];
+let asked: [ByHand, Drag?][];
 let isShown: boolean;
 let handles: HandlesStore;
 beforeEach(() => {
   [playback, asked, isShown] = [new Playback(), [], true];
-  const roll = async (before: Handles, drag?: Drag) => {
+  const roll = async (before: ByHand, drag?: Drag) => {
     asked.push([before, drag]);
     return made(drag ? { ...before, push: { frame: drag.frame, by: [1] } } : before);
   };
@@ -72,6 +78,18 @@ it("keeps a push while the tempo changes, and forgets both", async () => {
   await vi.waitFor(() => expect(asked.at(-1)).toMatchObject([{ tempo: 1.5 }, { node: 2 }]));
   handles.reset();
   await vi.waitFor(() => expect(handles.isAsLearned).toBe(true));
+});
+
+it("changes the couplings of a MAP CGPDM, which has no limbs to drag", async () => {
+  const roll = vi.fn(async (now: ByHand) => made(now, ALPHA));
+  const store = new HandlesStore(playback, made({}, ALPHA), () => true, roll, vi.fn(), vi.fn());
+  expect([store.running, store.isAsLearned]).toEqual([false, true]);
+  store.couplings.set(0, 1, 8);
+  expect(roll).toHaveBeenLastCalledWith({ alpha: [[1, 8], ALPHA[1]] }, undefined);
+  expect(store.isAsLearned).toBe(false);
+  store.reset();
+  await vi.waitFor(() => expect(roll).toHaveBeenLastCalledWith({}, undefined));
+  expect(store.isAsLearned).toBe(true);
 });
 
 it("has no limbs to drag while another motion is on the stage", () => {

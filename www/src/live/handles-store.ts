@@ -1,6 +1,8 @@
-// The handles of a TMP or DMP on the stage: its tempo, and its pose or goal, which a drag of the figure changes.
+// What a visitor changes of a model on the stage: of a TMP or DMP its tempo, and its pose or goal by a drag of the
+// figure; of a MAP CGPDM its couplings.
+import { CouplingsStore } from "../couplings/couplings-store";
 import { Latest } from "../engine/latest";
-import type { Drag, Handles, MadeMotion } from "../engine/whole-protocol";
+import type { ByHand, Drag, MadeMotion } from "../engine/whole-protocol";
 import { fromRoot } from "../scene/motion";
 import type { Playback } from "../stage/playback";
 import { Store } from "../ui/store";
@@ -9,10 +11,15 @@ export class HandlesStore extends Store {
   /** What a drag changes. */
   changes: Drag["changes"] = "pose";
   /** Where the drag began; null: no drag. */
-  #grabbed: { frame: number; handles: Handles; played: boolean } | null = null;
-  readonly #rolls: Latest<[Handles, Drag?], MadeMotion>;
+  #grabbed: { frame: number; handles: ByHand; played: boolean } | null = null;
+  readonly #rolls: Latest<[ByHand, Drag?], MadeMotion>;
   /** What was asked for, until its motion is there. */
-  #asked: [Handles, Drag?] | null = null;
+  #asked: [ByHand, Drag?] | null = null;
+  /** Those of a MAP CGPDM. */
+  readonly couplings = new CouplingsStore(() => {
+    this.#ask(this.couplings.altered ? { alpha: this.couplings.alpha } : {});
+    this.changed();
+  });
 
   /**
    * `roll`: the motion under these handles and a drag, which it adds to them. `isShown`: whether the motion is on
@@ -22,15 +29,16 @@ export class HandlesStore extends Store {
     private readonly playback: Playback,
     private made: MadeMotion,
     private readonly isShown: () => boolean,
-    roll: (handles: Handles, drag?: Drag) => Promise<MadeMotion>,
+    roll: (handles: ByHand, drag?: Drag) => Promise<MadeMotion>,
     show: (made: MadeMotion) => void,
     failed: (problem: unknown) => void,
   ) {
     super();
-    const take = (next: MadeMotion, request: [Handles, Drag?]) => {
+    this.couplings.learn(made.alpha);
+    const take = (next: MadeMotion, request: [ByHand, Drag?]) => {
       this.made = next;
       if (request === this.#asked) this.#asked = null;
-      if (this.running) show(next);
+      if (this.isShown()) show(next);
       this.changed();
     };
     this.#rolls = new Latest(
@@ -43,7 +51,7 @@ export class HandlesStore extends Store {
     );
   }
 
-  #ask(...asked: [Handles, Drag?]): void {
+  #ask(...asked: [ByHand, Drag?]): void {
     this.#asked = asked;
     this.#rolls.request(asked);
   }
@@ -52,9 +60,13 @@ export class HandlesStore extends Store {
     return this.made.kind;
   }
 
+  get parts() {
+    return this.made.parts;
+  }
+
   /** Whether limbs can be dragged. */
   get running(): boolean {
-    return this.isShown();
+    return this.isShown() && this.couplings.learned.length === 0;
   }
 
   get tempo(): number {
@@ -73,12 +85,13 @@ export class HandlesStore extends Store {
 
   /** The motion as learned. */
   reset(): void {
-    this.#ask({});
+    if (this.couplings.altered) this.couplings.resetAll();
+    else this.#ask({});
   }
 
   get isAsLearned(): boolean {
     const { goal, push } = this.made.handles;
-    return this.tempo === 1 && !goal && !push;
+    return this.tempo === 1 && !goal && !push && !this.couplings.altered;
   }
 
   /** Holds the figure in this frame, with a node at its place in the picture, shifted by metres. */

@@ -14,6 +14,7 @@ import init, {
 import type {
   WholeWorker,
   AnyModelWorker,
+  ByHand,
   Drag,
   ExperimentWorker,
   Handles,
@@ -31,7 +32,15 @@ import { serve, start } from "./serve";
 import { uncertaintyWorker } from "./uncertainty";
 import { transfer, using } from "./using";
 import { follow } from "./follow";
-import type { Health, Report, TrainedModel, Trainee, TrainingJob, TrainingOutcome } from "../engine/protocol";
+import type {
+  Couplings,
+  Health,
+  Report,
+  TrainedModel,
+  Trainee,
+  TrainingJob,
+  TrainingOutcome,
+} from "../engine/protocol";
 
 /** What a study has that is made here. */
 const [SECONDS, DESIGN, LOOK, SEED] = [3.5, "class", "figure", 0] as const;
@@ -165,23 +174,29 @@ function dragged(
   return { ...handles, goal };
 }
 
+/** Of its document. */
+interface MapCgpdm {
+  model: { alpha: Couplings };
+}
+
 const anyModelWorker: AnyModelWorker = {
   rollOutAny: (text, frames, before = {}, drag) =>
     using(Model.fromJson(text), (model) => {
-      const roll = <T>(handles: Handles, use: (rollout: Rollout) => T) =>
-        using(model.rollout({ frames, sequence: 0, handles }), use);
+      const roll = <T>({ alpha, ...handles }: ByHand, use: (rollout: Rollout) => T) =>
+        using(model.rollout({ frames, sequence: 0, alpha, handles }), use);
       const handles = drag
         ? dragged(before, drag, (under) =>
             roll(under, (rollout) => rollout.dragged(drag.frame, drag.node, ...drag.place)),
           )
         : before;
       const { kind, figure, joints, parts, frameTime } = model.info();
+      const { alpha } = kind === "map-cgpdm" ? (JSON.parse(text) as MapCgpdm).model : { alpha: [] };
       if (!figure || !joints) throw new Error("expected a model of a body, found a model of tables");
       return roll(handles, (rollout) => {
         const positions = rollout.positions();
         const motion = { positions, frames: rollout.frames, nodes: figure.nodes.length, frameTime };
         return transfer(
-          { kind, figure, joints, parts, motion, bvh: rollout.toBvh({ plainNames: true }), handles },
+          { kind, figure, joints, parts, motion, bvh: rollout.toBvh({ plainNames: true }), handles, alpha },
           positions,
         );
       });

@@ -13,9 +13,9 @@ use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::primary::{LARGEST_P, NEARLY, NOT_IN_PAPERS, by_person, paired};
 use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
-use crate::evaluation::stats::{Interval, median, values_needed};
+use crate::evaluation::stats::{Interval, median, times_needed, values_needed};
 use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
-use std::ops::Range;
+use std::ops::{Not, Range};
 use vcgpdm_core::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
 use vcgpdm_core::models::{ModelKind, Settings, VariationalSettings};
 use vcgpdm_core::plural::counted;
@@ -134,12 +134,7 @@ impl Claims<'_> {
     fn compared(&self, a: &Errors, b: &Errors, limit: f64) -> Option<(String, ClaimAnswer)> {
         let effect = Effect::new(a, b)?;
         let answer = effect.is_below(limit);
-        let everybody = by_person(a, b, limit, self.1).into_iter().filter(|own| !own.is_empty());
-        let medians: Vec<f64> = everybody.map(|own| median(&own)).collect();
-        let needed = values_needed(&medians, LARGEST_P)
-            .filter(|needed| answer == ClaimAnswer::Undecided && *needed > medians.len())
-            .map(|needed| format!("; Student's t test of {needed} such persons would decide it"));
-        Some((effect.text() + &needed.unwrap_or_default(), answer))
+        Some((effect.text() + &persons_needed(answer, &by_person(a, b, limit, self.1)), answer))
     }
 
     /// Adds the claim that the errors of `a` are lower than `limit` times those of `b`.
@@ -155,8 +150,10 @@ impl Claims<'_> {
         let interval = c.interval.map_or(String::new(), |interval| format!(" ({interval})"));
         let (rank, trials) = (fixed(c.rank, 2), counted(c.folds, "trial"));
         let (model, settings) = (c.model.title(), c.settings);
-        let found = format!("{model}: {rank}{interval} over {settings} settings (mean of {trials})");
-        let answer = c.interval.map_or(ClaimAnswer::Undecided, |interval| is_below(interval, 0.0));
+        let answer = ClaimAnswer::below(c.interval, 0.0);
+        let own = |folds: &Range<usize>| c.trials.range(folds.clone()).map(|(_, rank)| *rank).collect();
+        let needed = persons_needed(answer, &self.1.iter().map(own).collect::<Vec<_>>());
+        let found = format!("{model}: {rank}{interval} over {settings} settings (mean of {trials}){needed}");
         self.add(sentence, criterion, found, answer);
     }
 
@@ -165,7 +162,8 @@ impl Claims<'_> {
         sentence: &Sentence,
         criterion: &str,
         growth: &Growth,
-        answer: impl Fn(Interval) -> ClaimAnswer,
+        limit: f64,
+        answer: impl Fn(ClaimAnswer) -> ClaimAnswer,
     ) {
         let power = |exponent: Option<f64>, interval: Option<Interval>| {
             let (exponent, interval) = exponent.zip(interval)?;
@@ -174,14 +172,20 @@ impl Claims<'_> {
         let iteration = power(growth.exponent, growth.interval);
         let whole = power(growth.training_exponent, growth.training_interval);
         if let (Some((iteration, _)), Some((whole, interval))) = (iteration, whole) {
+            let answer = answer(ClaimAnswer::below(Some(interval), limit));
+            let needed = times_needed(interval, growth.points.len(), limit)
+                .filter(|_| answer == ClaimAnswer::Undecided)
+                .map_or(String::new(), |times| {
+                    format!("; {times} times as many such trainings would decide it")
+                });
             let converged = growth.converged.map_or(String::new(), |share| {
                 format!("; {:.0} % of these trainings converged", 100.0 * share)
             });
             let found = format!(
-                "time of a training grows with the power {whole} of the frames, of an iteration with the power {iteration}, {} numbers of frames{converged}",
+                "time of a training grows with the power {whole} of the frames, of an iteration with the power {iteration}, {} numbers of frames{converged}{needed}",
                 growth.points.len()
             );
-            self.add(sentence, criterion, found, answer(interval));
+            self.add(sentence, criterion, found, answer);
         }
     }
 }
@@ -230,11 +234,11 @@ pub(super) fn secondary_claims(
         match growth.model {
             CandidateKind::Model(Vcgpdm) => {
                 let criterion = "the exponent is below 1.2";
-                claims.add_exponent(&LINEAR, criterion, growth, |i| is_below(i, 1.2));
+                claims.add_exponent(&LINEAR, criterion, growth, 1.2, |answer| answer);
             }
             CandidateKind::Model(MapCgpdm) => {
                 let criterion = "the exponent is above 2: it reaches 3 only with more frames than these";
-                claims.add_exponent(&CUBIC, criterion, growth, |i| not(is_below(i, 2.0)));
+                claims.add_exponent(&CUBIC, criterion, growth, 2.0, ClaimAnswer::not);
             }
             _ => {}
         }
@@ -256,42 +260,25 @@ pub(super) fn three_part_claims(rows: &[Row], labels: &Labels) -> Vec<Claim> {
         }
     };
     let criterion = "the error is not lower by a tenth or more: the interval of the ratio is above 1 / 1.1";
-    let no_gain = |effect: &Effect| not(effect.is_below(1.0 / NEARLY));
+    let no_gain = |effect: &Effect| !effect.is_below(1.0 / NEARLY);
     add(&THREE_PARTS_GAIN_NOTHING, criterion, contender(Vgpdm), no_gain);
     let criterion =
         "the errors differ by less than a tenth: the interval of the ratio is from 1 / 1.1 to 1.1";
     add(&THREE_PARTS_EQUAL_TMP, criterion, contender(Tmp), |effect| {
-        all(&[not(effect.is_below(1.0 / NEARLY)), effect.is_below(NEARLY)])
+        (!effect.is_below(1.0 / NEARLY)).max(effect.is_below(NEARLY))
     });
     claims.0
 }
 
-fn is_below(interval: Interval, value: f64) -> ClaimAnswer {
-    if interval.high < value {
-        ClaimAnswer::Yes
-    } else if interval.low > value {
-        ClaimAnswer::No
-    } else {
-        ClaimAnswer::Undecided
-    }
-}
-
-fn not(answer: ClaimAnswer) -> ClaimAnswer {
-    match answer {
-        ClaimAnswer::Yes => ClaimAnswer::No,
-        ClaimAnswer::No => ClaimAnswer::Yes,
-        ClaimAnswer::Undecided => ClaimAnswer::Undecided,
-    }
-}
-
-/// Yes if all are, no if one is.
-fn all(answers: &[ClaimAnswer]) -> ClaimAnswer {
-    let has = |answer| answers.contains(&answer);
-    match (has(ClaimAnswer::No), has(ClaimAnswer::Undecided)) {
-        (true, _) => ClaimAnswer::No,
-        (_, true) => ClaimAnswer::Undecided,
-        _ => ClaimAnswer::Yes,
-    }
+/// How many persons with the mean and spread of these would decide a claim, if it is undecided over several persons
+/// and a thousand are enough; of each person the values of the trials.
+fn persons_needed(answer: ClaimAnswer, everybody: &[Vec<f64>]) -> String {
+    let medians: Vec<f64> = everybody.iter().filter(|own| !own.is_empty()).map(|own| median(own)).collect();
+    values_needed(&medians, LARGEST_P)
+        .filter(|needed| answer == ClaimAnswer::Undecided && *needed > medians.len())
+        .map_or(String::new(), |needed| {
+            format!("; Student's t test of {needed} such persons would decide it")
+        })
 }
 
 /// The vCGPDM compared with the forms of both MAP models that the papers did not try. The others are in primary
@@ -335,20 +322,21 @@ fn against_all(claims: &mut Claims, sentence: &Sentence, parts: &Contender, rows
         let Some(effect) = Effect::new(&parts.errors, &other.errors) else { continue };
         let range = effect.interval().map_or(String::new(), |i| format!(" ({i})"));
         let middle = if effect.median_interval.is_some() { effect.median } else { effect.mean };
+        let answer = effect.is_below(1.0);
+        let needed = persons_needed(answer, &by_person(&parts.errors, &other.errors, 1.0, claims.1));
         found.push(format!(
-            "{} times{range} {}, lower in {} of {}",
+            "{} times{range} {}, lower in {} of {}{}",
             fixed(middle, 2),
             other.text(labels),
             effect.wins,
-            effect.folds
+            effect.folds,
+            needed.replace("; ", ": ")
         ));
-        answers.push(effect.is_below(1.0));
+        answers.push(answer);
     }
-    if answers.is_empty() {
-        return;
-    }
+    let Some(answer) = answers.into_iter().max() else { return };
     let criterion = "its error is lower than that of every other model";
-    claims.add(sentence, criterion, found.join("; "), all(&answers));
+    claims.add(sentence, criterion, found.join("; "), answer);
 }
 
 /// The relation of bound and error, over the sizes of a kind.
@@ -420,7 +408,7 @@ fn optimum(claims: &mut Claims, rows: &[Row], kind: ModelKind, optimum: &Optimum
     let with_least = |row: &Row| claims.compared(&row.errors(&folds), &least, 1.0);
     let (Some(fewer), Some(more)) = (with_least(few), with_least(many)) else { return };
     let texts = format!("{a} {what} compared with {b}: {}; {c} compared with {b}: {}", fewer.0, more.0);
-    let (found, answer) = (format!("{}: {texts}", kind.title()), all(&[not(fewer.1), not(more.1)]));
+    let (found, answer) = (format!("{}: {texts}", kind.title()), (!fewer.1).max(!more.1));
     let criterion = format!(
         "of the numbers tried, the fewest and the most have a higher error than the one nearest to {best}"
     );
@@ -438,6 +426,15 @@ mod tests {
         let (a, b, people) = (errors([0.8, 1.1, 0.7, 1.0]), errors([1.0; 4]), [0..2, 2..4]);
         let (text, answer) = Claims(Vec::new(), &people).compared(&a, &b, 1.0).unwrap();
         assert_eq!(answer, ClaimAnswer::Undecided);
-        assert!(text.ends_with("; Student's t test of 5 such persons would decide it"), "{text}");
+        let five = "; Student's t test of 5 such persons would decide it";
+        assert!(text.ends_with(five), "{text}");
+        let trials = [-0.12, 0.0, -0.36, 0.0].into_iter().enumerate().collect();
+        let interval = Some(Interval { low: -0.3, high: 0.1, level: 0.95 });
+        let (model, label, points) = (Vcgpdm.into(), String::new(), Vec::new());
+        let correlation =
+            Correlation { model, label, settings: 3, folds: 4, rank: -0.12, interval, points, trials };
+        let mut claims = Claims(Vec::new(), &people);
+        claims.add_correlation(&BOUND_CORRELATES, "", Some(correlation));
+        assert!(claims.0[0].found.ends_with(five), "{}", claims.0[0].found);
     }
 }

@@ -68,7 +68,8 @@ fn with_error(
         let ranks: Vec<f64> = ranked.filter_map(|pairs| rank_correlation(pairs)).collect();
         (!ranks.is_empty()).then(|| mean(&ranks))
     };
-    let ranks: Vec<f64> = folds.iter().filter_map(within).collect();
+    let trials: BTreeMap<usize, f64> = folds.iter().filter_map(|fold| Some((*fold, within(fold)?))).collect();
+    let ranks: Vec<f64> = trials.values().copied().collect();
     let point = |row: &&Row| {
         let (bound, mse) = pair(row, &folds)?;
         Some(BoundAndError { label: labels.label(row.candidate), bound, mse })
@@ -77,7 +78,7 @@ fn with_error(
     let model = rows.first()?.candidate.kind();
     let (rank, interval) = (mean(&ranks), bootstrap_interval(&ranks));
     let (settings, folds) = (points.len(), ranks.len());
-    (folds > 0).then_some(Correlation { model, label, settings, folds, rank, interval, points })
+    (folds > 0).then_some(Correlation { model, label, settings, folds, rank, interval, points, trials })
 }
 
 /// One entry for each fold that both models have. Both are of the same frames and columns, with a noise for

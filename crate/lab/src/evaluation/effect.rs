@@ -53,11 +53,7 @@ impl Effect {
 
     /// Whether the ratio is below `limit`: decided only if the whole interval is on one side of it.
     pub fn is_below(&self, limit: f64) -> ClaimAnswer {
-        match self.interval() {
-            Some(interval) if interval.high < limit => ClaimAnswer::Yes,
-            Some(interval) if interval.low > limit => ClaimAnswer::No,
-            _ => ClaimAnswer::Undecided,
-        }
+        ClaimAnswer::below(self.interval(), limit)
     }
 
     /// The effect as text.

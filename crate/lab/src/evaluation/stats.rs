@@ -221,6 +221,15 @@ pub fn exponent_interval(pairs: &[(f64, f64)]) -> Option<(f64, Option<Interval>)
     Some((slope, interval))
 }
 
+/// How many times as many points, with the same spread round their line, would move this interval of an exponent of
+/// so many `points` off the limit; absent where more than a thousand times are needed.
+pub fn times_needed(interval: Interval, points: usize, limit: f64) -> Option<usize> {
+    let middle = 0.5 * (interval.low + interval.high);
+    let error = (interval.high - middle) / student_quantile(points.checked_sub(2).filter(|n| *n > 0)?);
+    let reach = |times: usize| student_quantile(times * points - 2) * error / (times as f64).sqrt();
+    (1..=1000).find(|times| (middle - limit).abs() > reach(*times))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -253,6 +262,15 @@ mod tests {
         let powers: Vec<(f64, f64)> = [1.0, 2.0, 5.0].iter().map(|x: &f64| (*x, 3.0 * x.powf(2.7))).collect();
         assert_relative_eq!(exponent(&powers).unwrap(), 2.7, epsilon = 1e-12);
         assert_eq!(exponent(&[(2.0, 1.0), (2.0, 3.0)]), None);
+    }
+
+    /// By hand with the published points of t: 0.88 of four points is 0.32 away from 1.2; twice as many reach 0.15.
+    #[test]
+    fn says_how_many_trainings_decide_an_exponent() {
+        let interval = Interval { low: 0.5, high: 1.26, level: LEVEL };
+        assert_eq!(times_needed(interval, 4, 1.2), Some(2));
+        assert_eq!(times_needed(interval, 4, 1.3), Some(1));
+        assert_eq!((times_needed(interval, 4, 0.88), times_needed(interval, 2, 1.2)), (None, None));
     }
 
     #[test]

@@ -4,6 +4,8 @@ use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::details::{Bands, Compared};
 use crate::evaluation::stats::{Interval, mean, standard_error};
 use serde::Serialize;
+use std::collections::BTreeMap;
+use std::ops::Not;
 
 /// A mean over folds. The seeds of a fold are averaged first.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -135,6 +137,10 @@ pub struct Correlation {
     pub interval: Option<Interval>,
     /// The candidates, with means over these trials.
     pub points: Vec<BoundAndError>,
+    /// The correlation within each trial.
+    #[serde(skip)]
+    #[cfg_attr(feature = "types", ts(skip))]
+    pub trials: BTreeMap<usize, f64>,
 }
 
 /// Mean number of training frames, and mean seconds of an iteration.
@@ -186,25 +192,48 @@ pub struct Evidence {
 }
 
 /// Whether results agree with a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+/// The answer to a claim in several parts is the largest: yes if all are, no if one is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum ClaimAnswer {
     /// The whole interval agrees with it.
     Yes,
-    /// The whole interval contradicts it.
-    No,
     /// The interval has both sides, or there are too few trials for an interval.
     Undecided,
+    /// The whole interval contradicts it.
+    No,
 }
 
 impl ClaimAnswer {
+    /// Whether what has this interval is below a value.
+    pub fn below(interval: Option<Interval>, value: f64) -> Self {
+        match interval {
+            Some(interval) if interval.high < value => ClaimAnswer::Yes,
+            Some(interval) if interval.low > value => ClaimAnswer::No,
+            _ => ClaimAnswer::Undecided,
+        }
+    }
+
     /// The word for tables.
     pub fn word(self) -> &'static str {
         match self {
             ClaimAnswer::Yes => "yes",
             ClaimAnswer::No => "no",
             ClaimAnswer::Undecided => "undecided",
+        }
+    }
+}
+
+/// The answer to the contrary.
+impl Not for ClaimAnswer {
+    type Output = Self;
+
+    fn not(self) -> Self {
+        match self {
+            ClaimAnswer::Yes => ClaimAnswer::No,
+            ClaimAnswer::No => ClaimAnswer::Yes,
+            ClaimAnswer::Undecided => ClaimAnswer::Undecided,
         }
     }
 }

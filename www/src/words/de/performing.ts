@@ -44,6 +44,9 @@ export const words: PerformingWords = {
   },
   handles: {
     caption: "Ein Modell ohne Kopplungen: Zieh an der Figur, oder ändere unten sein Tempo",
+    captionMap: "Seine eigenen Kopplungen stehen unten",
+    couplings: "Kopplungen des MAP CGPDM",
+    kept: "Eine latente Bahn, zusammen mit diesen Kopplungen trainiert; ein vCGPDM lernt eine Verteilung von Bahnen. Je kleiner α, desto mehr bestimmt dieser Teil.",
     title: "Griffe des Bewegungsprimitivs",
     curve:
       "Eine Kurve über der Zeit: Lass ein gezogenes Glied los, und es ist sofort zurück auf seiner Kurve.",

@@ -43,6 +43,9 @@ export const words = {
   },
   handles: {
     caption: "A model without couplings: drag the figure, or change its tempo below",
+    captionMap: "Its own couplings are below",
+    couplings: "Couplings of the MAP CGPDM",
+    kept: "One latent path, trained together with these couplings; a vCGPDM learns a distribution of paths. The smaller α, the more that part decides.",
     title: "Handles of the movement primitive",
     curve: "A curve over time: let a dragged limb go, and it is back on its curve at once.",
     system: "A dynamical system: let a dragged limb go, and a spring takes it back.",
