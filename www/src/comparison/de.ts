@@ -50,13 +50,13 @@ export const words: CompareWords = {
   given:
     "Alle Modelle mit zehn aufgenommenen Gängen einer Person (CMU, Person 35), früher gemessen: oben vier davon, vom sechsten Bild eines Gangs an. Was du vergleichst, tritt an diese Stelle.",
   lesson:
-    "Dass das gekoppelte Modell einen Gang besser voraussagt als zwei einfache, die wissen, dass ein Gang sich wiederholt, fanden wir nicht: Im Mittel von zehn Personen ist der Fehler des vCGPDM 1,15-mal (1,04 bis 1,28) so groß wie der des TMP und 1,18-mal (0,98 bis 1,41) so groß wie der des rhythmischen DMP. Nach der Korrektur für zehn Fragen ist keiner der Unterschiede entschieden. Kopplungen sind dazu da, eine Bewegung zu verändern.",
+    "Dass das gekoppelte Modell einen Gang besser voraussagt als zwei einfache, die wissen, dass ein Gang sich wiederholt, fanden wir nicht: Im Mittel von zehn Personen ist der Fehler des vCGPDM, trainiert wie in den Artikeln, 1,15-mal (1,04 bis 1,28) so groß wie der des TMP und 1,18-mal (0,98 bis 1,41) so groß wie der des rhythmischen DMP. Nach der Korrektur für zehn Fragen ist keiner der Unterschiede entschieden. Kopplungen sind dazu da, eine Bewegung zu verändern.",
   failure: (model, trial, why) => `${model}, Versuch ${trial} zurückgehalten: ${why}`,
   models: {
     title: "Modelle",
     whatIs: "Was ist [MAP|map], [TMP|tmp], [DMP|dmp]?",
     about: {
-      vcgpdm: "Das gekoppelte Modell dieser Seite",
+      vcgpdm: "Das gekoppelte Modell dieser Seite, trainiert wie in den Artikeln",
       vgpdm: "Dasselbe, mit dem ganzen Körper als einem Teil",
       "map-gpdm": "Punkte statt Verteilungen als latente Zustände; langsam",
       "map-cgpdm": "Dasselbe, mit gekoppelten Teilen; am langsamsten",

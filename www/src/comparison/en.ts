@@ -50,13 +50,13 @@ export const words = {
   given:
     "All models on ten recorded walks of one person (CMU subject 35), measured before: four of them above, from the sixth frame of a walk. What you compare takes their place.",
   lesson:
-    "We did not find that the coupled model foresees a walk better than two simple ones that know that a walk repeats itself: in the mean of ten persons, the error of the vCGPDM is 1.15 times (1.04 to 1.28) that of the TMP, and 1.18 times (0.98 to 1.41) that of the rhythmic DMP. Corrected for ten questions, neither difference is decided. Couplings are for changing a movement.",
+    "We did not find that the coupled model foresees a walk better than two simple ones that know that a walk repeats itself: in the mean of ten persons, the error of the vCGPDM, trained as in the papers, is 1.15 times (1.04 to 1.28) that of the TMP, and 1.18 times (0.98 to 1.41) that of the rhythmic DMP. Corrected for ten questions, neither difference is decided. Couplings are for changing a movement.",
   failure: (model: string, trial: number, why: string) => `${model}, trial ${trial} held out: ${why}`,
   models: {
     title: "Models",
     whatIs: "What is [MAP|map], [TMP|tmp], [DMP|dmp]?",
     about: {
-      vcgpdm: "The coupled model of this page",
+      vcgpdm: "The coupled model of this page, trained as in the papers",
       vgpdm: "The same, with the whole body as one part",
       "map-gpdm": "Point latents instead of distributions; slow",
       "map-cgpdm": "The same, with coupled parts; slowest",

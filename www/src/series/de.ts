@@ -59,7 +59,7 @@ export const words: SeriesWords = {
   provenance: (engine, iterations, seed) =>
     `Trainiert von ${engine}, ${iterations} Iterationen, Startwert ${seed}.`,
   noCouplings:
-    "Ein solches Modell hat keine Kopplungen und keine latenten Räume: Nur seine Kurven stehen hier.",
+    "Von einem solchen Modell stehen hier nur die Kurven, keine Kopplungen und keine latenten Räume.",
   overTime: "Spalten über der Zeit",
   figure: "Die Spalten NAME.x, NAME.y und NAME.z als Punkte, durch Knochen verbunden",
   time: "Zeit (s)",

@@ -59,7 +59,7 @@ export const words = {
     "The model on its own. Its file does not hold what was recorded: open the tables to see them dashed.",
   provenance: (engine: string, iterations: number, seed: number) =>
     `Trained by ${engine}, ${iterations} iterations, seed ${seed}.`,
-  noCouplings: "A model of this kind has no couplings and no latent spaces: only its curves are shown.",
+  noCouplings: "Of a model of this kind only the curves are shown, no couplings and no latent spaces.",
   overTime: "Columns over time",
   figure: "The columns NAME.x, NAME.y and NAME.z as points, joined by bones",
   time: "time (s)",

@@ -5,16 +5,15 @@
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::candidate_text::size_numbers;
-use crate::evaluation::correlation::{
-    by_preference, correlation, correlation_by_dynamics, training_correlation,
-};
+use crate::evaluation::correlation::{by_preference, correlation, training_correlation};
 use crate::evaluation::effect::{Choice, Contender, Effect, Errors};
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
-use crate::evaluation::primary::{LARGEST_P, NEARLY, NOT_IN_PAPERS, by_person, paired};
+use crate::evaluation::primary::{NEARLY, NOT_IN_PAPERS, by_person, paired, persons_needed};
 use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
-use crate::evaluation::stats::{Interval, median, times_needed, values_needed};
+use crate::evaluation::stats::{Interval, times_needed};
 use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
+use std::collections::BTreeSet;
 use std::ops::{Not, Range};
 use vcgpdm_core::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
 use vcgpdm_core::models::{ModelKind, Settings, VariationalSettings};
@@ -144,17 +143,25 @@ impl Claims<'_> {
         }
     }
 
-    /// Adds the claim that the rank correlation of bound and error is below 0.
-    fn add_correlation(&mut self, sentence: &Sentence, criterion: &str, correlation: Option<Correlation>) {
-        let Some(c) = correlation else { return };
+    /// A correlation as text, and whether it is below 0.
+    fn correlated(&self, c: &Correlation) -> (String, ClaimAnswer) {
         let interval = c.interval.map_or(String::new(), |interval| format!(" ({interval})"));
         let (rank, trials) = (fixed(c.rank, 2), counted(c.folds, "trial"));
-        let (model, settings) = (c.model.title(), c.settings);
+        let (model, label, settings) = (c.model.title(), &c.label, c.settings);
         let answer = ClaimAnswer::below(c.interval, 0.0);
         let own = |folds: &Range<usize>| c.trials.range(folds.clone()).map(|(_, rank)| *rank).collect();
         let needed = persons_needed(answer, &self.1.iter().map(own).collect::<Vec<_>>());
-        let found = format!("{model}: {rank}{interval} over {settings} settings (mean of {trials}){needed}");
-        self.add(sentence, criterion, found, answer);
+        (
+            format!("{model}{label}: {rank}{interval} over {settings} settings (mean of {trials}){needed}"),
+            answer,
+        )
+    }
+
+    /// Adds the claim that the rank correlations of bound and error are all below 0.
+    fn add_correlations(&mut self, sentence: &Sentence, criterion: &str, all: &[Correlation]) {
+        let (texts, answers): (Vec<_>, Vec<_>) = all.iter().map(|c| self.correlated(c)).unzip();
+        let Some(answer) = answers.into_iter().max() else { return };
+        self.add(sentence, criterion, texts.join("; "), answer);
     }
 
     fn add_exponent(
@@ -229,7 +236,7 @@ pub(super) fn secondary_claims(
     let given = |c: &Candidate| matches!(c, Candidate::Model(Settings::Tmp(s)) if s.primitives.is_some());
     let criterion = "the rank correlation over the numbers of primitives, within each trial, is below 0 in the mean: its interval is";
     let found = correlation(&settings(rows, Tmp, &given), String::new(), labels);
-    claims.add_correlation(&TMP_CORRELATES, criterion, found);
+    claims.add_correlations(&TMP_CORRELATES, criterion, found.as_slice());
     for growth in growth {
         match growth.model {
             CandidateKind::Model(Vcgpdm) => {
@@ -268,17 +275,6 @@ pub(super) fn three_part_claims(rows: &[Row], labels: &Labels) -> Vec<Claim> {
         (!effect.is_below(1.0 / NEARLY)).max(effect.is_below(NEARLY))
     });
     claims.0
-}
-
-/// How many persons with the mean and spread of these would decide a claim, if it is undecided over several persons
-/// and a thousand are enough; of each person the values of the trials.
-fn persons_needed(answer: ClaimAnswer, everybody: &[Vec<f64>]) -> String {
-    let medians: Vec<f64> = everybody.iter().filter(|own| !own.is_empty()).map(|own| median(own)).collect();
-    values_needed(&medians, LARGEST_P)
-        .filter(|needed| answer == ClaimAnswer::Undecided && *needed > medians.len())
-        .map_or(String::new(), |needed| {
-            format!("; Student's t test of {needed} such persons would decide it")
-        })
 }
 
 /// The vCGPDM compared with the forms of both MAP models that the papers did not try. The others are in primary
@@ -353,10 +349,22 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, by_rollouts: &Contende
         claims.add_lower((&BOUND_CHOOSES, criterion), &kind.errors, &by_rollouts.errors, NEARLY, &names);
     }
     let first = claims.0.len();
-    let criterion = "the rank correlation over the dynamics inducing points, for each number of pose points and within each trial, is below 0 in the mean: its interval is";
-    claims.add_correlation(&BOUND_CORRELATES, criterion, correlation_by_dynamics(&kind.settings, labels));
+    // The caption of that figure: "for a given number of LVM IPs".
+    let poses = |row: &Row| size_numbers(row.candidate).1;
+    let at_poses = |number: usize| {
+        let rows: Vec<&Row> = kind.settings.iter().copied().filter(|row| poses(row) == number).collect();
+        correlation(&rows, format!(", {number} pose points"), labels)
+    };
+    let numbers: BTreeSet<usize> = kind.settings.iter().map(|row| poses(row)).collect();
+    let given: Vec<Correlation> = numbers.into_iter().filter_map(at_poses).collect();
+    let criterion = "at each number of pose points, the rank correlation over the dynamics inducing points, within each trial, is below 0 in the mean: its interval is";
+    claims.add_correlations(&BOUND_CORRELATES, criterion, &given);
+    let criterion = "not as in that figure: the rank correlation over all sizes together, within each trial, is below 0 in the mean: its interval is";
+    let all = correlation(&kind.settings, ", all sizes".to_owned(), labels).filter(|_| given.len() > 1);
+    claims.add_correlations(&BOUND_CORRELATES, criterion, all.as_slice());
     let criterion = "the rank correlation over the inducing points, within each trial, is below 0 in the mean: its interval is";
-    claims.add_correlation(&BOUND_TELLS_TRAINING, criterion, training_correlation(&kind.settings, labels));
+    let training = training_correlation(&kind.settings, labels);
+    claims.add_correlations(&BOUND_TELLS_TRAINING, criterion, training.as_slice());
     dynamics_or_poses(claims, &kind.settings, labels);
     for claim in claims.0.iter_mut().skip(first).filter(|_| !is_primary) {
         claim.claim.push_str(" Said of the vCGPDM.");
@@ -434,7 +442,7 @@ mod tests {
         let correlation =
             Correlation { model, label, settings: 3, folds: 4, rank: -0.12, interval, points, trials };
         let mut claims = Claims(Vec::new(), &people);
-        claims.add_correlation(&BOUND_CORRELATES, "", Some(correlation));
+        claims.add_correlations(&BOUND_CORRELATES, "", &[correlation]);
         assert!(claims.0[0].found.ends_with(five), "{}", claims.0[0].found);
     }
 }

@@ -3,7 +3,6 @@
 //! time with the data, and bounds of several parts compared with one.
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
-use crate::evaluation::candidate_text::size_numbers;
 use crate::evaluation::effect::{Choice, Contender, Errors};
 use crate::evaluation::job::Finished;
 use crate::evaluation::labels::Labels;
@@ -31,27 +30,18 @@ pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
 
 /// Over the folds that all of these candidates have; absent for fewer than three candidates.
 pub(super) fn correlation(rows: &[&Row], label: String, labels: &Labels) -> Option<Correlation> {
-    with_error(rows, label, labels, &|_| 0, &|row, folds| row.mse(folds))
-}
-
-/// The same over the dynamics inducing points, for each number of pose points, in the mean (the caption of that
-/// figure: "for a given number of LVM IPs").
-pub(super) fn correlation_by_dynamics(rows: &[&Row], labels: &Labels) -> Option<Correlation> {
-    let poses = |row: &Row| size_numbers(row.candidate).1;
-    with_error(rows, String::new(), labels, &poses, &|row, folds| row.mse(folds))
+    with_error(rows, label, labels, &|row, folds| row.mse(folds))
 }
 
 /// The same with the error on the training trials.
 pub(super) fn training_correlation(rows: &[&Row], labels: &Labels) -> Option<Correlation> {
-    with_error(rows, String::new(), labels, &|_| 0, &|row, folds| row.training_mse(folds))
+    with_error(rows, String::new(), labels, &|row, folds| row.training_mse(folds))
 }
 
-/// `group`: only candidates of the same group are ranked with each other.
 fn with_error(
     rows: &[&Row],
     label: String,
     labels: &Labels,
-    group: &dyn Fn(&Row) -> usize,
     error: &dyn Fn(&Row, &BTreeSet<usize>) -> Option<f64>,
 ) -> Option<Correlation> {
     let folds = common_folds(rows);
@@ -60,13 +50,8 @@ fn with_error(
     // mix them.
     let within = |fold: &usize| {
         let of_fold = BTreeSet::from([*fold]);
-        let mut groups: BTreeMap<usize, Vec<(f64, f64)>> = BTreeMap::new();
-        for row in rows {
-            groups.entry(group(row)).or_default().extend(pair(row, &of_fold));
-        }
-        let ranked = groups.values().filter(|pairs| pairs.len() > 2);
-        let ranks: Vec<f64> = ranked.filter_map(|pairs| rank_correlation(pairs)).collect();
-        (!ranks.is_empty()).then(|| mean(&ranks))
+        let pairs: Vec<(f64, f64)> = rows.iter().filter_map(|row| pair(row, &of_fold)).collect();
+        (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()
     };
     let trials: BTreeMap<usize, f64> = folds.iter().filter_map(|fold| Some((*fold, within(fold)?))).collect();
     let ranks: Vec<f64> = trials.values().copied().collect();

@@ -185,6 +185,17 @@ pub(super) fn by_person(a: &Errors, b: &Errors, limit: f64, people: &[Range<usiz
     people.iter().map(|folds| folds.clone().filter_map(logarithm).collect()).collect()
 }
 
+/// How many persons with the mean and spread of these would decide a claim, if it is undecided over several persons
+/// and a thousand are enough; of each person the values of the trials.
+pub(super) fn persons_needed(answer: ClaimAnswer, everybody: &[Vec<f64>]) -> String {
+    let medians: Vec<f64> = everybody.iter().filter(|own| !own.is_empty()).map(|own| median(own)).collect();
+    values_needed(&medians, LARGEST_P)
+        .filter(|needed| answer == ClaimAnswer::Undecided && *needed > medians.len())
+        .map_or(String::new(), |needed| {
+            format!("; Student's t test of {needed} such persons would decide it")
+        })
+}
+
 /// `None` without a trial that both models have. More persons would decide it at this `level`.
 fn test(question: &Question, people: &[Range<usize>], level: f64) -> Option<Test> {
     let (a, b) = question.errors;

@@ -201,7 +201,7 @@ export const words: TeachWords = {
       wrong: "Eine geänderte Kopplung bleibt: vor der nächsten Aufgabe alles zurücksetzen.",
     },
     compare: {
-      say: "Dass das gekoppelte Modell einen zurückgehaltenen Gang besser voraussieht als zwei einfache, das TMP und das rhythmische DMP, fanden wir nicht. Es hat Teile, die man abschneiden, schieben und tauschen kann.",
+      say: "Dass das gekoppelte Modell, trainiert wie in den Artikeln, einen zurückgehaltenen Gang besser voraussieht als zwei einfache, das TMP und das rhythmische DMP, fanden wir nicht. Es hat Teile, die man abschneiden, schieben und tauschen kann.",
       wrong: "Ein Vergleich dauert Minuten: vor der Pause starten, oder die gespeicherten Ergebnisse zeigen.",
     },
     questions: {

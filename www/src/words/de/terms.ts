@@ -101,7 +101,7 @@ export const terms: TermsWords = {
     bound: {
       title: "untere Schranke der Evidenz",
       words:
-        "Wie gut das Modell die Clips erklärt, abzüglich dessen, was das Erklären kostet. Das Training erhöht sie, meist mit kleineren Gewichten der Posen; Schranken sind nur zwischen Modellen derselben Bilder vergleichbar.",
+        "Wie gut das Modell die Clips erklärt, abzüglich dessen, was das Erklären kostet. Das Training erhöht sie, im Labor meist mit kleineren Gewichten der Posen; Schranken sind nur zwischen Modellen derselben Bilder vergleichbar.",
     },
     "bound-terms": {
       title: "Terme der Schranke",

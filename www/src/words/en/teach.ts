@@ -184,7 +184,7 @@ export const words = {
       wrong: "A changed coupling stays: Reset before the next exercise.",
     },
     compare: {
-      say: "We did not find that the coupled model foresees a held-out walk better than two simple ones, the TMP and the rhythmic DMP. It adds parts that can be cut, pushed and exchanged.",
+      say: "We did not find that the coupled model, trained as in the papers, foresees a held-out walk better than two simple ones, the TMP and the rhythmic DMP. It adds parts that can be cut, pushed and exchanged.",
       wrong: "A comparison takes minutes: start it before the break, or show the recorded results.",
     },
     questions: {

@@ -100,7 +100,7 @@ export const terms = {
     bound: {
       title: "evidence lower bound",
       words:
-        "How well the model explains the clips, less what it takes to say so. Training raises it, by default with smaller weights of the poses; bounds can be compared between models of the same frames only.",
+        "How well the model explains the clips, less what it takes to say so. Training raises it, in the Lab by default with smaller weights of the poses; bounds can be compared between models of the same frames only.",
     },
     "bound-terms": {
       title: "terms of the bound",

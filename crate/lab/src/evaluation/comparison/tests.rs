@@ -336,7 +336,10 @@ fn distinguishes_errors_on_training_trials_and_on_trials_held_out() {
     }
     let found = Comparison::new(&results(7, &jobs));
     assert_relative_eq!(found.models[0].training_mse.as_ref().unwrap().mean, 0.9 * 1.4, epsilon = 1e-12);
-    assert_eq!(answer(&found, "3.2", "1.00 (1.00 to 1.00) over 5 settings"), ClaimAnswer::No);
+    assert_eq!(
+        answer(&found, "3.2", ", 5 pose points: 1.00 (1.00 to 1.00) over 3 settings"),
+        ClaimAnswer::No
+    );
     assert_eq!(answer(&found, "figure 6B", "-1.00 (-1.00 to -1.00) over 5 settings"), ClaimAnswer::Yes);
     let words = "30 + 5 inducing points compared with 5 + 30 inducing points: 0.50 times";
     assert_eq!(answer(&found, "figure 6B", words), ClaimAnswer::Yes);
