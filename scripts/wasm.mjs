@@ -94,7 +94,11 @@ async function compileTargets(
   const first = [...(TARGETS[0]?.features ?? []), ...more];
   await Promise.all([run("cargo", ...compile(first, small)), run("cargo", "build", ...BINDGEN)]);
   for (const [i, { folder, features }] of TARGETS.entries()) {
-    if (i > 0 && small) await run("cargo", ...compile([...features, ...more]));
+    if (i > 0 && !small) {
+      cpSync(join(place, TARGETS[0]?.folder ?? ""), join(place, folder), { recursive: true });
+      continue;
+    }
+    if (i > 0) await run("cargo", ...compile([...features, ...more]));
     await run("cargo", "run", "--quiet", ...BINDGEN, "--", wasm, join(place, folder));
     writeFileSync(join(place, folder, "package.json"), '{"type":"module"}\n');
   }
