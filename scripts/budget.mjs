@@ -2,14 +2,14 @@
 // in its folder (www/src/*/entry.ts). And the largest size of the project: lower it when the project becomes smaller.
 export const budget = {
   /** Lines of product and of tests, and files; `npm test` counts them. */
-  lines: { product: 109_781, tests: 46_844, files: 1_247 },
+  lines: { product: 109_793, tests: 46_844, files: 1_247 },
   firstVisit: 500_000,
   /** Of it what is not wasm, in `npm test`, whose quick wasm comes with more JavaScript. */
   firstScripts: 258_400,
   /** The wasm of a first visit. */
   wasm: 250_000,
   /** The views of the Lab. */
-  lab: 50_100,
+  lab: 50_800,
   /** The chapters of the story after the first. */
   story: 60_000,
   /** Help, details of the Lab and its recordings that move parts, with their words in two languages. */

@@ -95,13 +95,21 @@ const folderOf = (files: readonly string[]) => {
   const plain = files.map((file) => file.replaceAll("\\", "/"));
   return LATER.find(([, of]) => plain.some(of))?.[0] ?? "assets";
 };
+const SHARED_STYLES = [
+  ["latent-view", "assets/story"],
+  ["wheel-view", "assets/story"],
+  ["coupling-slider", "assets/lab"],
+];
 const output = {
   entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) =>
     `${folderOf([facadeModuleId ?? ""])}/[name]-[hash].js`,
   chunkFileNames: ({ moduleIds }: { moduleIds: string[] }) => `${folderOf(moduleIds)}/[name]-[hash].js`,
-  // Styles that chapters share come without the files that they are made of.
-  assetFileNames: ({ originalFileNames, names }: { originalFileNames: string[]; names: string[] }) =>
-    `${names.some((name) => /(latent|wheel)-view.css/.test(name)) ? "assets/story" : folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
+  // Styles that chunks share come without the files that they are made of.
+  assetFileNames: ({ originalFileNames, names }: { originalFileNames: string[]; names: string[] }) => {
+    const [, folder = folderOf(originalFileNames.map((file) => `/${file}`))] =
+      SHARED_STYLES.find(([style]) => names.includes(`${style}.css`)) ?? [];
+    return `${folder}/[name]-[hash][extname]`;
+  },
 };
 
 /** Not for `vite dev`, whose style sheets are inline. */
