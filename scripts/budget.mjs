@@ -18,7 +18,7 @@ export const budget = {
    * The whole program, with the filter that completes and recognises recordings, ten kinds of models to compare
    * and the samples that do not walk; charts; the writer of GIF files.
    */
-  onDemand: 924_000,
+  onDemand: 925_000,
   /** The movements of the page's own study. */
   study: 170_000,
   /** The writer of GLB files. */

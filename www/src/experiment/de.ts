@@ -24,7 +24,7 @@ export const words: ExperimentWords = {
   driving: "Teil 1 treibt Teil 2",
   drivingHint: "Ohne Häkchen zur Kontrolle: zwei Systeme, die nichts miteinander zu tun haben.",
   points: "Stützpunkte",
-  pointsHint: "Jeder Funktion. Vier: die Kontrolle aus Abbildung 3 des Artikels.",
+  pointsHint: "Jeder Funktion. Vier: das andere Modell aus Abbildung 3 des Artikels.",
   ten: (driving) => `Startwerte 0 bis 9 ${driving ? "" : "ohne Einfluss "}trainieren`,
   source:
     "Das Experiment ist das von Velychko et al. (2018), Abschnitt 5.1. Ihre Zufallszüge sind nicht bekannt; diese sind unsere.",

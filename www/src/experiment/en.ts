@@ -20,7 +20,7 @@ export const words = {
   driving: "Part 1 drives part 2",
   drivingHint: "Untick it for the control: two systems that have nothing to do with each other.",
   points: "Inducing points",
-  pointsHint: "Of every function. Four: the control of the paper's figure 3.",
+  pointsHint: "Of every function. Four: the other model of the paper's figure 3.",
   ten: (driving: boolean) => `Train seeds 0 to 9${driving ? "" : " without driving"}`,
   source:
     "The experiment is that of Velychko et al. (2018), section 5.1. Their draws are not known; these are ours.",

@@ -13,10 +13,10 @@ export const words = {
     bound:
       "The latents are not known, so training finds a Gaussian distribution for each, together with kernels, couplings and inducing points. It climbs the sum",
     weights:
-      "With γ = 1, as in the papers, this is a lower bound on the log evidence. In the Lab γ is Q/D for one body unless told otherwise, latent dimensions by columns of the part: no bound, but latents that are easier to predict (Urtasun et al. 2006). A model of a body whose motion does not go on then learns from its own rollouts, which change the distribution of u alone. “As in the papers”, under Learn, trains with γ = 1 and without own rollouts, as “Compare models” always does; a library of primitives has γ = 1.",
+      "With γ = 1, as in the papers, this is a lower bound on the log evidence. In the Lab γ is Q/D for one body unless told otherwise, latent dimensions by columns of the part: no bound, but latents that are easier to predict (Urtasun et al. 2006). A model of a body whose motion does not go on then learns from its own rollouts, which change the distribution of u alone. “As in the papers”, under Learn, trains with γ = 1 and without own rollouts, as “Compare models” always does; a library that you learn has γ = 1.",
     terms:
       "Each term F of a Gaussian process rests on a few inducing points in place of all frames (Titsias and Lawrence 2010). For R rows and C columns, with the variance n of what is observed and the covariance K of the inducing points:",
-    sums: "Ψ₂ and b are sums over the frames of expected products: of two kernel values, and of a kernel value and the target. c₂ is the expected square of the targets, and Δ what the inducing points leave unexplained. The time of an iteration grows linearly with the frames.",
+    sums: "Ψ₂ and b are sums over the frames of expected products: of two kernel values, and of a kernel value and the target. c₂ is the sum of the expected squares of the targets, and Δ what the inducing points leave unexplained. The time of an iteration grows linearly with the frames.",
   },
   steps: {
     title: "Where the bound comes from",

@@ -124,7 +124,7 @@ export const words: PrimitivesWords = {
   learning: {
     title: "Eine Bibliothek lernen",
     about: (same, own) =>
-      `Clips mit demselben Namen sind eine Bewegung. Ein Teil mit „${same}“ hat ein Primitiv für alle Bewegungen; mit „${own}“ hat er eines in jeder. Andere Einstellungen sind die des Trainings im Labor, nur haben die Posen das Gewicht 1, Bewegungen lernen aus eigenen Rollouts, und ein Teil hat 12 Punkte jeder Art, wenn keine Zahl gewählt ist.`,
+      `Clips mit demselben Namen sind eine Bewegung. Ein Teil mit „${same}“ hat ein Primitiv für alle Bewegungen; mit „${own}“ hat er eines in jeder. Andere Einstellungen sind die des Trainings im Labor, nur haben die Posen das Gewicht 1, es gibt ein Training, Bewegungen lernen aus eigenen Rollouts, und ein Teil hat 12 Punkte jeder Art, wenn keine Zahl gewählt ist.`,
     same: "gemeinsam",
     own: "eigenes",
     learn: "Lernen",

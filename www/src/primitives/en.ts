@@ -124,7 +124,7 @@ export const words = {
     title: "Learn a library",
     /** Around the words of two buttons. */
     about: (same: string, own: string) =>
-      `Clips with the same name are one movement. A part that is the “${same}” has one primitive for all movements; with “${own}” it has one in each. Other settings are those of training, in the Lab, but the poses have the weight 1, movements learn from their own rollouts, and a part has 12 points of each kind if no number was chosen.`,
+      `Clips with the same name are one movement. A part that is the “${same}” has one primitive for all movements; with “${own}” it has one in each. Other settings are those of training, in the Lab, but the poses have the weight 1, there is one training, movements learn from their own rollouts, and a part has 12 points of each kind if no number was chosen.`,
     same: "same",
     own: "own",
     learn: "Learn",

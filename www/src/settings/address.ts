@@ -31,10 +31,12 @@ export class Address extends Store {
   #waiting: Settings | null = null;
   #written = -Infinity;
   #fragment: string;
+  /** What the bar had after the last reading or writing. */
+  #seen: string;
 
   constructor(private readonly bar: AddressBar) {
     super();
-    this.#fragment = bar.read();
+    this.#fragment = this.#seen = bar.read();
   }
 
   /** The fragment that was read or written last. */
@@ -44,7 +46,7 @@ export class Address extends Store {
 
   read(): string {
     this.#waiting = null;
-    this.#fragment = this.bar.read();
+    this.#fragment = this.#seen = this.bar.read();
     return this.#fragment;
   }
 
@@ -53,7 +55,9 @@ export class Address extends Store {
     const scheduled = this.#waiting !== null;
     this.#waiting = settings;
     if (scheduled) return;
-    setTimeout(() => this.#write(), Math.max(0, this.#written + BETWEEN_WRITES - performance.now()));
+    // After Back, or a link, the page hears of the new entry a little later: its address stays.
+    const write = () => void (this.bar.read() === this.#seen && this.#write());
+    setTimeout(write, Math.max(0, this.#written + BETWEEN_WRITES - performance.now()));
   }
 
   /**
@@ -72,6 +76,7 @@ export class Address extends Store {
     this.#waiting = null;
     this.#written = performance.now();
     this.bar.write(this.#fragment);
+    this.#seen = this.bar.read();
     this.changed();
   }
 }

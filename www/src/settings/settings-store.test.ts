@@ -51,6 +51,8 @@ it("follows the address, and drops the write that waits", () => {
   const settings = new SettingsStore(bar);
   settings.change({ latent: 4 });
   bar.pages.push("latent=1&seed=5");
+  // The browser says later that the visitor has followed a link.
+  vi.advanceTimersByTime(300);
   settings.readAddress();
   vi.advanceTimersByTime(300);
   expect([settings.values.latent, settings.values.seed]).toEqual([1, 5]);

@@ -249,7 +249,10 @@ fn correlations(text: &mut String, comparison: &Comparison) -> std::fmt::Result 
         let (id, range) = (c.model.id(), c.interval.map_or(String::new(), |interval| interval.to_string()));
         writeln!(text, "| {id}{comma}{label} | {} | {:.2} | {range} |", c.settings, c.rank)?;
     }
-    writeln!(text, "\nThe mean over the trials held out, with a bootstrap over these trials.\n")
+    writeln!(
+        text,
+        "\nThe mean over the trials held out, with a bootstrap over these trials (with fewer than six, Student's t).\n"
+    )
 }
 
 fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
@@ -360,12 +363,12 @@ fn claims(text: &mut String, comparison: &Comparison, only_primary: bool) -> std
     )?;
     write!(
         text,
-        "Primary claims were named before the tables were made. Within one person their p value is that of the sign test over the trials, with fewer than six trials that of Student's t test of the logarithms; over several persons it is that of Student's t test of the persons' median logarithms. Holm's correction keeps the probability of any false answer among them below 5 %. "
+        "Primary claims were named before the tables were made. Within one person their p value is that of the sign test over the trials, with fewer than six trials that of Student's t test of the logarithms; over several persons it is that of Student's t test of the persons' median logarithms. Holm's correction keeps the probability of any false answer among them below 5 %, if the numbers of persons and trials were fixed before. "
     )?;
     if !only_primary {
         write!(
             text,
-            "Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. "
+            "Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. That of a rank correlation is a bootstrap over the trials, with fewer than six Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. "
         )?;
     }
     writeln!(text, "Trials share their training data, so that the intervals are a little too narrow.\n")

@@ -9,12 +9,13 @@ use crate::evaluation::correlation::{by_preference, correlation, training_correl
 use crate::evaluation::effect::{Choice, Contender, Effect, Errors};
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
-use crate::evaluation::primary::{NEARLY, NOT_IN_PAPERS, by_person, paired, persons_needed};
+use crate::evaluation::primary::{NEARLY, NOT_IN_PAPERS, by_person, each_person, paired};
 use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
 use crate::evaluation::stats::{Interval, times_needed};
 use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
 use std::collections::BTreeSet;
 use std::ops::{Not, Range};
+use vcgpdm_core::elementary::Elementary;
 use vcgpdm_core::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
 use vcgpdm_core::models::{ModelKind, Settings, VariationalSettings};
 use vcgpdm_core::plural::counted;
@@ -39,6 +40,10 @@ const THREE_PARTS_EQUAL_TMP: Sentence =
 const BOUND_CHOOSES: Sentence = Sentence(
     "\u{201c}The best ELBO's MSE (that is, the MSE at the maximum of the ELBO) is a fairly good predictor of the best MSE\u{201d}",
     "2018, section 5.3",
+);
+const BOUND_CORRELATES_AT_POINTS: Sentence = Sentence(
+    "\u{201c}The negative correlation between ELBO and MSE for a given number of LVM IPs is clearly visible.\u{201d}",
+    "2017, supplement, section 4, figure 1",
 );
 const BOUND_CORRELATES: Sentence = Sentence(
     "\u{201c}The negative correlation between MSE and ELBO is clearly visible.\u{201d}",
@@ -133,7 +138,9 @@ impl Claims<'_> {
     fn compared(&self, a: &Errors, b: &Errors, limit: f64) -> Option<(String, ClaimAnswer)> {
         let effect = Effect::new(a, b)?;
         let answer = effect.is_below(limit);
-        Some((effect.text() + &persons_needed(answer, &by_person(a, b, limit, self.1)), answer))
+        let persons = by_person(a, b, limit, self.1);
+        let ratio = |logarithm: f64| limit * logarithm.exponential();
+        Some((effect.text() + &each_person(answer, &persons, ratio), answer))
     }
 
     /// Adds the claim that the errors of `a` are lower than `limit` times those of `b`.
@@ -150,9 +157,9 @@ impl Claims<'_> {
         let (model, label, settings) = (c.model.title(), &c.label, c.settings);
         let answer = ClaimAnswer::below(c.interval, 0.0);
         let own = |folds: &Range<usize>| c.trials.range(folds.clone()).map(|(_, rank)| *rank).collect();
-        let needed = persons_needed(answer, &self.1.iter().map(own).collect::<Vec<_>>());
+        let persons = each_person(answer, &self.1.iter().map(own).collect::<Vec<_>>(), |rank| rank);
         (
-            format!("{model}{label}: {rank}{interval} over {settings} settings (mean of {trials}){needed}"),
+            format!("{model}{label}: {rank}{interval} over {settings} settings (mean of {trials}){persons}"),
             answer,
         )
     }
@@ -183,7 +190,8 @@ impl Claims<'_> {
             let needed = times_needed(interval, growth.points.len(), limit)
                 .filter(|_| answer == ClaimAnswer::Undecided)
                 .map_or(String::new(), |times| {
-                    format!("; {times} times as many such trainings would decide it")
+                    let numbers = times * growth.points.len();
+                    format!("; with the same range and spread, {numbers} numbers of frames would decide it")
                 });
             let converged = growth.converged.map_or(String::new(), |share| {
                 format!("; {:.0} % of these trainings converged", 100.0 * share)
@@ -319,14 +327,15 @@ fn against_all(claims: &mut Claims, sentence: &Sentence, parts: &Contender, rows
         let range = effect.interval().map_or(String::new(), |i| format!(" ({i})"));
         let middle = if effect.median_interval.is_some() { effect.median } else { effect.mean };
         let answer = effect.is_below(1.0);
-        let needed = persons_needed(answer, &by_person(&parts.errors, &other.errors, 1.0, claims.1));
+        let persons = by_person(&parts.errors, &other.errors, 1.0, claims.1);
+        let persons = each_person(answer, &persons, Elementary::exponential);
         found.push(format!(
             "{} times{range} {}, lower in {} of {}{}",
             fixed(middle, 2),
             other.text(labels),
             effect.wins,
             effect.folds,
-            needed.replace("; ", ": ")
+            persons.replace("; ", ", ")
         ));
         answers.push(answer);
     }
@@ -349,7 +358,6 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, by_rollouts: &Contende
         claims.add_lower((&BOUND_CHOOSES, criterion), &kind.errors, &by_rollouts.errors, NEARLY, &names);
     }
     let first = claims.0.len();
-    // The caption of that figure: "for a given number of LVM IPs".
     let poses = |row: &Row| size_numbers(row.candidate).1;
     let at_poses = |number: usize| {
         let rows: Vec<&Row> = kind.settings.iter().copied().filter(|row| poses(row) == number).collect();
@@ -358,9 +366,10 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, by_rollouts: &Contende
     let numbers: BTreeSet<usize> = kind.settings.iter().map(|row| poses(row)).collect();
     let given: Vec<Correlation> = numbers.into_iter().filter_map(at_poses).collect();
     let criterion = "at each number of pose points, the rank correlation over the dynamics inducing points, within each trial, is below 0 in the mean: its interval is";
-    claims.add_correlations(&BOUND_CORRELATES, criterion, &given);
-    let criterion = "not as in that figure: the rank correlation over all sizes together, within each trial, is below 0 in the mean: its interval is";
-    let all = correlation(&kind.settings, ", all sizes".to_owned(), labels).filter(|_| given.len() > 1);
+    claims.add_correlations(&BOUND_CORRELATES_AT_POINTS, criterion, &given);
+    let criterion = "the rank correlation over all sizes together, within each trial, is below 0 in the mean: its interval is";
+    let is_other = |all: &Correlation| given.iter().all(|one| one.settings < all.settings);
+    let all = correlation(&kind.settings, ", all sizes".to_owned(), labels).filter(is_other);
     claims.add_correlations(&BOUND_CORRELATES, criterion, all.as_slice());
     let criterion = "the rank correlation over the inducing points, within each trial, is below 0 in the mean: its interval is";
     let training = training_correlation(&kind.settings, labels);

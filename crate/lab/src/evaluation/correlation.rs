@@ -7,9 +7,12 @@ use crate::evaluation::effect::{Choice, Contender, Errors};
 use crate::evaluation::job::Finished;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::outcome::{Outcome, share_converged};
+use crate::evaluation::primary::FEWEST_TRIALS;
 use crate::evaluation::results::Results;
 use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
-use crate::evaluation::stats::{bootstrap_interval, exponent_interval, mean, rank_correlation};
+use crate::evaluation::stats::{
+    bootstrap_interval, exponent_interval, mean, mean_interval, rank_correlation,
+};
 use crate::evaluation::summary::{BoundAndError, Correlation, Evidence, FramesAndTime, Growth};
 use std::collections::{BTreeMap, BTreeSet};
 use vcgpdm_core::models::ModelKind;
@@ -61,7 +64,13 @@ fn with_error(
     };
     let points: Vec<BoundAndError> = rows.iter().filter_map(point).collect();
     let model = rows.first()?.candidate.kind();
-    let (rank, interval) = (mean(&ranks), bootstrap_interval(&ranks));
+    let rank = mean(&ranks);
+    // A bootstrap of few trials is too narrow, and equal ranks of few say nothing about others.
+    let interval = if ranks.len() < FEWEST_TRIALS {
+        mean_interval(&ranks).filter(|i| i.low < i.high).map(|i| i.map(|r| r.clamp(-1.0, 1.0)))
+    } else {
+        bootstrap_interval(&ranks)
+    };
     let (settings, folds) = (points.len(), ranks.len());
     (folds > 0).then_some(Correlation { model, label, settings, folds, rank, interval, points, trials })
 }

@@ -33,7 +33,7 @@ pub(super) const NEARLY: f64 = 1.1;
 /// Largest p value of a decision.
 pub(super) const LARGEST_P: f64 = 0.05;
 /// With fewer trials the sign test cannot decide.
-const FEWEST_TRIALS: usize = 6;
+pub(super) const FEWEST_TRIALS: usize = 6;
 
 /// A claim that the ratio of two errors is below a limit.
 struct Question<'a> {
@@ -70,8 +70,8 @@ pub(super) fn primary_claims(
         (MapGpdm.into(), BETTER_THAN_MAP, "2017, section 3.2"),
         (MapCgpdm.into(), BETTER_THAN_MAP, "2017, section 3.2"),
         (Vgpdm.into(), PARTS_PAY, "2018, section 5.3"),
-        (Tmp.into(), "", NOT_IN_PAPERS),
-        (DmpRhythmic.into(), "", NOT_IN_PAPERS),
+        (Tmp.into(), "", "2017, section 3.2"),
+        (DmpRhythmic.into(), "", "2017, section 3.2"),
         (CandidateKind::ProMp, "", NOT_IN_PAPERS),
         (CandidateKind::Ar, "", NOT_IN_PAPERS),
     ]
@@ -185,15 +185,20 @@ pub(super) fn by_person(a: &Errors, b: &Errors, limit: f64, people: &[Range<usiz
     people.iter().map(|folds| folds.clone().filter_map(logarithm).collect()).collect()
 }
 
-/// How many persons with the mean and spread of these would decide a claim, if it is undecided over several persons
-/// and a thousand are enough; of each person the values of the trials.
-pub(super) fn persons_needed(answer: ClaimAnswer, everybody: &[Vec<f64>]) -> String {
+/// The median of each person, as `shown`, if there are several; of each person the values of the trials. And how many
+/// persons with their mean and spread would decide the claim, if it is undecided and a thousand are enough.
+pub(super) fn each_person(answer: ClaimAnswer, everybody: &[Vec<f64>], shown: impl Fn(f64) -> f64) -> String {
     let medians: Vec<f64> = everybody.iter().filter(|own| !own.is_empty()).map(|own| median(own)).collect();
-    values_needed(&medians, LARGEST_P)
+    if medians.len() < 2 {
+        return String::new();
+    }
+    let list: Vec<String> = medians.iter().map(|own| fixed(shown(*own), 2)).collect();
+    let needed = values_needed(&medians, LARGEST_P)
         .filter(|needed| answer == ClaimAnswer::Undecided && *needed > medians.len())
         .map_or(String::new(), |needed| {
             format!("; Student's t test of {needed} such persons would decide it")
-        })
+        });
+    format!("; medians of the persons {}{needed}", list.join(", "))
 }
 
 /// `None` without a trial that both models have. More persons would decide it at this `level`.

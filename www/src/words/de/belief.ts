@@ -41,7 +41,7 @@ export const belief: Words["chapters"]["belief"] = {
   score: (you, model, rounds) =>
     `Bisher richtig: du ${you} von ${rounds}, das Modell ${model} von ${rounds}.`,
   closing: (uncoupled, dmp) =>
-    `Bei neuen aufgenommenen Gängen ist der Fehler eines Modells mit Kopplungen ${ratio(uncoupled)} wie der eines ` +
+    `Bei neuen aufgenommenen Gängen ist der Fehler eines Modells mit Kopplungen, trainiert wie in den Artikeln, ${ratio(uncoupled)} wie der eines ` +
     `Modells ohne und ${ratio(dmp)} wie der einer rhythmischen DMP, im Mittel über zehn Personen: beides ` +
     "unentschieden.",
   again: "Ein anderes Paar",

@@ -34,7 +34,7 @@ export const learn: LearnWords = {
     bonesClash: "Ihre Gelenke sind dieselben, nur die Knochen sind verschieden.",
     firstBones: "Knochen des ersten Clips nehmen",
     bones: (title) =>
-      `Alle gewählten Clips lernt das Modell mit den Knochen von ${title}: Die Gelenkwinkel bleiben, der Weg am Boden wird mit der Länge der Beine skaliert.`,
+      `Alle gewählten Clips lernt das Modell mit den Knochen von ${title}: Die Gelenkwinkel bleiben, der Weg am Boden wird mit der Höhe der Wurzel skaliert.`,
     ownBones: "Eigene Knochen nehmen",
     openOwn:
       "Öffne eigene Clips (.bvh) oder ein Modell (.json), oder lege sie irgendwo auf der Seite ab. Sie bleiben auf diesem Gerät.",

@@ -58,7 +58,7 @@ export const words: TeachWords = {
     },
     arms: {
       say: "Wer recht hat, hängt von der Frage ab: was die Daten erlauben, oder was die gelernten Experten tun.",
-      wrong: "Alle sagen „stehen bleiben“: Zeig den zweiten Schnitt, und frag, warum beide recht haben.",
+      wrong: "Alle sagen „Anhalten“: Zeig den zweiten Schnitt, und frag, warum beide recht haben.",
       answer:
         "In diesem Modell, das dafür gewählt wurde: Neu bestimmt finden die Arme ein eigenes Tempo. Wie gelernt halten sie an.",
       asked: [
@@ -130,7 +130,7 @@ export const words: TeachWords = {
         ],
         [
           "Multipliziert oder gemittelt?",
-          "Multipliziert. Das Mittel des Produkts ist ein gewichtetes Mittel, und seine Varianz ist kleiner als jede.",
+          "Multipliziert. Sind die Glocken in alle Richtungen gleich breit, ist das Mittel des Produkts ein gewichtetes Mittel, und seine Varianz ist kleiner als jede.",
         ],
       ],
     },
@@ -278,7 +278,7 @@ export const words: TeachWords = {
       halt: "wie gelernt, Beine → Beine ganz nach links: Dann hören die Beine nur auf die Arme, die nichts über Beine gelernt haben.",
       few: "Der Link setzt 6 Punkte; drück Trainieren.",
       hands:
-        "wie gelernt, left → left ganz nach links: Die linke Hand hört dann nur die rechte, die nichts über sie gelernt hat.",
+        "wie gelernt, links → links ganz nach links: Die linke Hand hört dann nur die rechte, die nichts über sie gelernt hat.",
     },
     whys: {
       pace: "Welchen Pfeil hast du dünn gemacht, und wer spricht jetzt über die Arme?",

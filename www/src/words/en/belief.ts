@@ -41,7 +41,7 @@ export const belief = {
   score: (you: number, model: number, rounds: number) =>
     `Right so far: you ${you} of ${rounds}, the model ${model} of ${rounds}.`,
   closing: (uncoupled: Ratio, dmp: Ratio) =>
-    `On recorded walks held out a model with couplings has ${ratio(uncoupled)} the error of one without, and ` +
+    `On recorded walks held out a model with couplings, trained as in the papers, has ${ratio(uncoupled)} the error of one without, and ` +
     `${ratio(dmp)} that of a rhythmic DMP, in the mean of ten persons: both undecided.`,
   again: "Another pair",
   modelRow: "the model believes",

@@ -37,7 +37,7 @@ export const learn = {
     bonesClash: "Their joints are the same, only their bones differ.",
     firstBones: "Use the first clip’s bones",
     bones: (title: string) =>
-      `All ticked clips are trained on with the bones of ${title}: joint angles stay, the way over the ground is scaled by the length of the legs.`,
+      `All ticked clips are trained on with the bones of ${title}: joint angles stay, the way over the ground is scaled by the height of the root.`,
     ownBones: "Use their own bones",
     openOwn:
       "Open your own motion clips (.bvh) or a model (.json), or drop them anywhere. They stay on this machine.",
