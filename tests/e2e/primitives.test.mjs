@@ -252,7 +252,8 @@ describe("a library of primitives", () => {
     const model = await page.evaluate(
       () => /** @type {any} */ (document.querySelector("pg-page")).app.model.id,
     );
-    await page.getByTestId("put-on-stage").click();
+    // The page still moves under a pointer: what moves well comes later.
+    await page.getByTestId("put-on-stage").press("Enter");
     await page.getByTestId("stage").waitFor();
     const next = await page.evaluate(
       () => /** @type {any} */ (document.querySelector("pg-page")).app.model.id,
