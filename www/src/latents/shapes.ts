@@ -22,6 +22,21 @@ export function traceEllipse(draw: CanvasPath, { x, y, major, minor, angle }: El
   draw.ellipse(x, y, times * major, times * minor, angle, 0, 2 * Math.PI, true);
 }
 
+/** An ellipse in the present colours, its inside with this opacity. */
+export function drawEllipse(
+  draw: CanvasRenderingContext2D,
+  ellipse: Ellipse,
+  inside: number,
+  times = 1,
+): void {
+  draw.beginPath();
+  traceEllipse(draw, ellipse, times);
+  draw.globalAlpha = inside;
+  draw.fill();
+  draw.globalAlpha = 1;
+  draw.stroke();
+}
+
 /** One frame of a band. */
 export interface BandPoint {
   x: number;

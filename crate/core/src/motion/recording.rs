@@ -57,10 +57,10 @@ impl Recording {
     /// frames where the position channels replace the OFFSETs. A warning says what was removed or changed.
     pub fn into_clip(self) -> Clip {
         let added = self.rows_before_motion();
-        let Recording { name, skeleton, frame_time, mut values, mut warnings, sha256 } = self;
+        let mut clip = self.with_all_rows();
         if added > 0 {
-            values = values.remove_rows(0, added);
-            warnings.push(if added == 1 {
+            clip.values = clip.values.remove_rows(0, added);
+            clip.warnings.push(if added == 1 {
                 "the first row is a T-pose that does not belong to the motion: it was left out".to_owned()
             } else {
                 format!(
@@ -69,7 +69,13 @@ impl Recording {
                 )
             });
         }
-        let clip = Clip {
+        clip.without_carrying_roots().with_recorded_bones().with_checked_root()
+    }
+
+    /// The motion as it is.
+    pub(super) fn with_all_rows(self) -> Clip {
+        let Recording { name, skeleton, frame_time, values, warnings, sha256 } = self;
+        Clip {
             name,
             skeleton,
             frame_time,
@@ -82,8 +88,7 @@ impl Recording {
             bodies: Vec::new(),
             found_up: None,
             file_frame_time: frame_time,
-        };
-        clip.without_carrying_roots().with_recorded_bones().with_checked_root()
+        }
     }
 
     /// The joint of this name and all joints below it, at the same places in the world: one body of a file

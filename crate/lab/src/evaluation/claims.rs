@@ -9,7 +9,7 @@ use crate::evaluation::correlation::{by_preference, correlation, training_correl
 use crate::evaluation::effect::{Choice, Contender, Effect, Errors};
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
-use crate::evaluation::primary::{NEARLY, NOT_IN_PAPERS, by_person, each_person, paired};
+use crate::evaluation::primary::{self, NEARLY, NOT_IN_PAPERS, by_person, each_person, paired};
 use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
 use crate::evaluation::stats::{Interval, times_needed};
 use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
@@ -37,10 +37,7 @@ const THREE_PARTS_GAIN_NOTHING: Sentence = Sentence(
 );
 const THREE_PARTS_EQUAL_TMP: Sentence =
     Sentence("\u{201c}... and is on par with the TMP model.\u{201d}", "2018, section 5.3");
-const BOUND_CHOOSES: Sentence = Sentence(
-    "\u{201c}The best ELBO's MSE (that is, the MSE at the maximum of the ELBO) is a fairly good predictor of the best MSE\u{201d}",
-    "2018, section 5.3",
-);
+const BOUND_CHOOSES: Sentence = Sentence(primary::BOUND_CHOOSES, "2018, section 5.3");
 const BOUND_CORRELATES_AT_POINTS: Sentence = Sentence(
     "\u{201c}The negative correlation between ELBO and MSE for a given number of LVM IPs is clearly visible.\u{201d}",
     "2017, supplement, section 4, figure 1",
@@ -349,11 +346,7 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, by_rollouts: &Contende
     // That of the vCGPDM is a primary claim.
     let is_primary = kind.settings[0].candidate.kind() == Vcgpdm;
     if !is_primary {
-        let names = format!(
-            "{}, of {} settings the one with the highest bound compared with the one with the best rollouts on the training trials",
-            kind.settings[0].candidate.kind().title(),
-            kind.settings.len()
-        );
+        let names = primary::chosen_by_bound(kind);
         let criterion = "choosing by the bound costs less than a tenth, compared with choosing by rollouts: the interval of the ratio is below 1.1";
         claims.add_lower((&BOUND_CHOOSES, criterion), &kind.errors, &by_rollouts.errors, NEARLY, &names);
     }

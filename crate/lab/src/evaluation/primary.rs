@@ -22,7 +22,7 @@ use vcgpdm_core::plural::counted;
 const BETTER_THAN_MAP: &str = "\u{201c}It is significantly better than the full-capacity (no IPs) MAP models\u{201d}: the two-part vCGPDM";
 const PARTS_PAY: &str =
     "The vCGPDM predicts better than the vGPDM, which the paper says particularly of walking + waving";
-const BOUND_CHOOSES: &str = "\u{201c}The best ELBO's MSE (that is, the MSE at the maximum of the ELBO) is a fairly good predictor of the best MSE\u{201d}";
+pub(super) const BOUND_CHOOSES: &str = "\u{201c}The best ELBO's MSE (that is, the MSE at the maximum of the ELBO) is a fairly good predictor of the best MSE\u{201d}";
 const COUPLINGS_PAY: &str = "Coupled parts predict better than the same parts without couplings";
 const NOT_ONLY_LARGER: &str =
     "Parts predict better than a whole body with as many latent dimensions and inducing points in all";
@@ -105,15 +105,21 @@ pub(super) fn primary_claims(
         questions.push(Question { claim, place, names, errors, limit: 1.0 });
     }
     if let Some(by_bound) = by_bound.as_ref().filter(|contender| contender.settings.len() > 2) {
-        let names = format!(
-            "vCGPDM, of {} settings the one with the highest bound compared with the one with the best rollouts on the training trials",
-            by_bound.settings.len()
-        );
-        let (claim, place) = (BOUND_CHOOSES.to_owned(), "2018, section 5.3");
+        let (claim, place, names) =
+            (BOUND_CHOOSES.to_owned(), "2018, section 5.3", chosen_by_bound(by_bound));
         let errors = (&by_bound.errors, &vcgpdm.errors);
         questions.push(Question { claim, place, names, errors, limit: NEARLY });
     }
     answered(&questions, people)
+}
+
+/// The two choices of a size that a claim compares.
+pub(super) fn chosen_by_bound(kind: &Contender) -> String {
+    format!(
+        "{}, of {} settings the one with the highest bound compared with the one with the best rollouts on the training trials",
+        kind.settings[0].candidate.kind().title(),
+        kind.settings.len()
+    )
 }
 
 /// Models that differ from these only by `counterpart`, at the sizes that both have: the models, and their

@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import type { PredictionsReport, RolloutRequest, RolloutResult } from "../../engine/protocol";
 import { ellipseOf, type Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
-import { arrowHead, fillDot, traceEllipse } from "../../latents/shapes";
+import { arrowHead, drawEllipse, fillDot, traceEllipse } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
 import { prefersReducedMotion } from "../../ui/browser";
 import type { WordsStore } from "../../words/words";
@@ -247,17 +247,9 @@ export class NextChapter extends LatentChapter<"next"> {
       plane.place(product.means.subarray(0, q), 0),
     ];
     const circle = ellipseOf(to, plane.roundSpread(product.variances[0]!));
-    draw.globalAlpha = 0.18;
-    draw.fillStyle = ink;
-    draw.beginPath();
-    traceEllipse(draw, circle, 2);
-    draw.fill();
-    draw.globalAlpha = 1;
     draw.strokeStyle = draw.fillStyle = ink;
     draw.lineWidth = 2.5;
-    draw.beginPath();
-    traceEllipse(draw, circle, 2);
-    draw.stroke();
+    drawEllipse(draw, circle, 0.18, 2);
     draw.beginPath();
     draw.moveTo(now[0], now[1]);
     draw.lineTo(to[0], to[1]);

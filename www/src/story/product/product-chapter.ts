@@ -4,7 +4,7 @@ import { Latest } from "../../engine/latest";
 import type { Couplings, RolloutRequest, RolloutResult, PredictionsReport } from "../../engine/protocol";
 import { ellipseOf, type Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
-import { fillDot, traceEllipse } from "../../latents/shapes";
+import { drawEllipse, fillDot } from "../../latents/shapes";
 import { largestDistance } from "../../scene/motion";
 import { ALPHA_MAX, ALPHA_MIN } from "../../settings/settings";
 import { partColour, partColourNow, theme } from "../../ui/palette";
@@ -227,12 +227,7 @@ export class ProductChapter extends LatentChapter<"product"> {
       const circle = this.#circleOf(plane, source);
       draw.fillStyle = draw.strokeStyle = partColourNow(source);
       draw.lineWidth = 3;
-      draw.globalAlpha = 0.14;
-      draw.beginPath();
-      traceEllipse(draw, circle);
-      draw.fill();
-      draw.globalAlpha = 1;
-      draw.stroke();
+      drawEllipse(draw, circle, 0.14);
       draw.lineWidth = 1.5;
       draw.beginPath();
       draw.moveTo(circle.x, circle.y);
@@ -247,12 +242,7 @@ export class ProductChapter extends LatentChapter<"product"> {
     }
     draw.strokeStyle = draw.fillStyle = ink;
     draw.lineWidth = 3;
-    draw.globalAlpha = 0.2;
-    draw.beginPath();
-    traceEllipse(draw, result);
-    draw.fill();
-    draw.globalAlpha = 1;
-    draw.stroke();
+    drawEllipse(draw, result, 0.2);
     fillDot(draw, result.x, result.y, 5);
     draw.strokeStyle = draw.fillStyle = quiet;
     draw.lineWidth = 2;

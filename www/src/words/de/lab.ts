@@ -230,11 +230,11 @@ export const words: LabWords = {
     experts: (reading) => `Experten ${reading}`,
     meaning: {
       "re-inferred":
-        "Was dieselben Daten die Vorhersagen jedes Teils unter diesen Kopplungen gelehrt hätten.",
+        "Was alles, woraus das Modell lernte, die Vorhersagen jedes Teils unter diesen Kopplungen gelehrt hätten.",
       "as-learned":
         "Nur die Gewichte ändern sich: Jeder Teil sagt voraus wie zuvor und zählt mehr oder weniger.",
     },
-    both: "Links, wie gelernt: Das Training machte die Experten zum Team, und einer allein tut nur seinen Anteil. Rechts, neu bestimmt: dieselben Daten (Clips und, falls es aus ihnen lernte, eigene Rollouts) mit diesen Kopplungen neu gelesen; Latente und Kerne bleiben.",
+    both: "Links, wie gelernt: Das Training machte die Experten zum Team, und einer allein tut nur seinen Anteil. Rechts, neu bestimmt: alles, woraus das Modell lernte, mit diesen Kopplungen neu gelesen; Latente und Kerne bleiben.",
     bothButton: "Beide nebeneinander",
     resetAll: "Zurück",
   },

@@ -199,10 +199,11 @@ export const words = {
     text: { "re-inferred": "re-inferred", "as-learned": "as learned" },
     experts: (reading: string) => `Experts ${reading}`,
     meaning: {
-      "re-inferred": "What the same data would have taught each part’s predictions under these couplings.",
+      "re-inferred":
+        "What all that the model learned from would have taught each part’s predictions under these couplings.",
       "as-learned": "Only the weights change: each part predicts as before, and counts for more or less.",
     },
-    both: "Left, as learned: training made the experts as a team, and one left alone does only its share. Right, re-inferred: the same data (clips, and own rollouts if it learned from them) read again with these couplings; latents and kernels stay.",
+    both: "Left, as learned: training made the experts as a team, and one left alone does only its share. Right, re-inferred: all that the model learned from, read again with these couplings; latents and kernels stay.",
     bothButton: "Both side by side",
     resetAll: "Reset",
   },

@@ -19,20 +19,7 @@ impl Clip {
     /// `values` are the channel values [frames x channels], degrees and file units; `frame_time` is in
     /// seconds.
     pub fn new(name: &str, skeleton: Skeleton, frame_time: f64, values: DMatrix<f64>) -> Clip {
-        Clip {
-            name: name.to_owned(),
-            sha256: sha256(text(&skeleton, frame_time, &values).as_bytes()),
-            skeleton,
-            frame_time,
-            values,
-            warnings: Vec::new(),
-            piece: None,
-            bones_of: None,
-            up: None,
-            bodies: Vec::new(),
-            found_up: None,
-            file_frame_time: frame_time,
-        }
+        Recording::new(name, skeleton, frame_time, values).with_all_rows()
     }
 }
 
