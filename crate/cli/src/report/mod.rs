@@ -249,10 +249,7 @@ fn correlations(text: &mut String, comparison: &Comparison) -> std::fmt::Result 
         let (id, range) = (c.model.id(), c.interval.map_or(String::new(), |interval| interval.to_string()));
         writeln!(text, "| {id}{comma}{label} | {} | {:.2} | {range} |", c.settings, c.rank)?;
     }
-    writeln!(
-        text,
-        "\nThe mean over the trials held out, with a bootstrap over these trials (with fewer than six, Student's t).\n"
-    )
+    writeln!(text, "\nThe mean over the trials held out, with Student's interval over these trials.\n")
 }
 
 fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
@@ -359,7 +356,7 @@ fn claims(text: &mut String, comparison: &Comparison, only_primary: bool) -> std
     }
     writeln!(
         text,
-        "Errors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Settings are chosen for each trial by the error of rollouts on the training trials; claims about the bound take the highest bound.\n"
+        "Errors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Settings are chosen for each trial by the error of rollouts on the training trials; claims about the bound take the highest bound. A row names those chosen most often.\n"
     )?;
     write!(
         text,
@@ -368,7 +365,7 @@ fn claims(text: &mut String, comparison: &Comparison, only_primary: bool) -> std
     if !only_primary {
         write!(
             text,
-            "Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. That of a rank correlation is a bootstrap over the trials, with fewer than six Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. "
+            "Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their interval of the median covers at least 95 % (sign test), those of means, of logarithms or rank correlations, about 95 % (Student's t). The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. "
         )?;
     }
     writeln!(text, "Trials share their training data, so that the intervals are a little too narrow.\n")

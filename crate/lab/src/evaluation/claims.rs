@@ -249,7 +249,7 @@ pub(super) fn secondary_claims(
                 claims.add_exponent(&LINEAR, criterion, growth, 1.2, |answer| answer);
             }
             CandidateKind::Model(MapCgpdm) => {
-                let criterion = "the exponent is above 2: it reaches 3 only with more frames than these";
+                let criterion = "the exponent is above 2, more than quadratic: it reaches 3 only with more frames than these";
                 claims.add_exponent(&CUBIC, criterion, growth, 2.0, ClaimAnswer::not);
             }
             _ => {}
@@ -364,7 +364,7 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, by_rollouts: &Contende
     let is_other = |all: &Correlation| given.iter().all(|one| one.settings < all.settings);
     let all = correlation(&kind.settings, ", all sizes".to_owned(), labels).filter(is_other);
     claims.add_correlations(&BOUND_CORRELATES, criterion, all.as_slice());
-    let criterion = "the rank correlation over the inducing points, within each trial, is below 0 in the mean: its interval is";
+    let criterion = "any relation, not a good prediction: the rank correlation over the inducing points, within each trial, is below 0 in the mean: its interval is";
     let training = training_correlation(&kind.settings, labels);
     claims.add_correlations(&BOUND_TELLS_TRAINING, criterion, training.as_slice());
     dynamics_or_poses(claims, &kind.settings, labels);

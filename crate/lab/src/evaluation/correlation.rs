@@ -10,9 +10,7 @@ use crate::evaluation::outcome::{Outcome, share_converged};
 use crate::evaluation::primary::FEWEST_TRIALS;
 use crate::evaluation::results::Results;
 use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
-use crate::evaluation::stats::{
-    bootstrap_interval, exponent_interval, mean, mean_interval, rank_correlation,
-};
+use crate::evaluation::stats::{Interval, exponent_interval, mean, mean_interval, rank_correlation};
 use crate::evaluation::summary::{BoundAndError, Correlation, Evidence, FramesAndTime, Growth};
 use std::collections::{BTreeMap, BTreeSet};
 use vcgpdm_core::models::ModelKind;
@@ -65,12 +63,9 @@ fn with_error(
     let points: Vec<BoundAndError> = rows.iter().filter_map(point).collect();
     let model = rows.first()?.candidate.kind();
     let rank = mean(&ranks);
-    // A bootstrap of few trials is too narrow, and equal ranks of few say nothing about others.
-    let interval = if ranks.len() < FEWEST_TRIALS {
-        mean_interval(&ranks).filter(|i| i.low < i.high).map(|i| i.map(|r| r.clamp(-1.0, 1.0)))
-    } else {
-        bootstrap_interval(&ranks)
-    };
+    // Equal ranks of few trials say nothing about others.
+    let says = |interval: &Interval| ranks.len() >= FEWEST_TRIALS || interval.low < interval.high;
+    let interval = mean_interval(&ranks).filter(says).map(|interval| interval.map(|r| r.clamp(-1.0, 1.0)));
     let (settings, folds) = (points.len(), ranks.len());
     (folds > 0).then_some(Correlation { model, label, settings, folds, rank, interval, points, trials })
 }

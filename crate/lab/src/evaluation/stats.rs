@@ -1,8 +1,6 @@
 //! Small statistics of results.
 
 use crate::evaluation::fixed::fixed;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
 use serde::Serialize;
 use std::fmt;
 use vcgpdm_core::elementary::Elementary;
@@ -191,20 +189,6 @@ pub fn holm(p_values: &[f64]) -> Vec<f64> {
     adjusted
 }
 
-/// Number of samples of a bootstrap.
-const SAMPLES: usize = 10_000;
-
-/// The interval of the mean by the percentile bootstrap; absent for fewer than two values.
-pub fn bootstrap_interval(values: &[f64]) -> Option<Interval> {
-    let n = values.len();
-    let mut rng = ChaCha8Rng::seed_from_u64(0);
-    let mut draw = || (0..n).map(|_| values[(rng.next_u64() % n as u64) as usize]).sum::<f64>() / n as f64;
-    let mut means: Vec<f64> = if n < 2 { Vec::new() } else { (0..SAMPLES).map(|_| draw()).collect() };
-    means.sort_by(f64::total_cmp);
-    let at = |share: f64| means.get((share * (SAMPLES - 1) as f64).round() as usize).copied();
-    Some(Interval { low: at(0.5 * (1.0 - LEVEL))?, high: at(0.5 * (1.0 + LEVEL))?, level: LEVEL })
-}
-
 /// [`exponent`] with Student's interval of the slope; no interval for fewer than three pairs.
 pub fn exponent_interval(pairs: &[(f64, f64)]) -> Option<(f64, Option<Interval>)> {
     let slope = exponent(pairs)?;
@@ -317,18 +301,6 @@ mod tests {
             assert_relative_eq!(*found, expected, epsilon = 1e-12);
         }
         assert_eq!((holm(&[0.9, 0.8]), holm(&[])), (vec![1.0, 1.0], vec![]));
-    }
-
-    #[test]
-    fn bootstraps_the_mean() {
-        let values: Vec<f64> = (0..40).map(|k| f64::from((k * 7) % 40)).collect();
-        let (found, student) = (bootstrap_interval(&values).unwrap(), mean_interval(&values).unwrap());
-        assert!(
-            (found.low - student.low).abs() < 0.5 && (found.high - student.high).abs() < 0.5,
-            "{found:?}"
-        );
-        assert_eq!(bootstrap_interval(&values), Some(found), "the same every time");
-        assert_eq!(bootstrap_interval(&[1.0]), None);
     }
 
     #[test]

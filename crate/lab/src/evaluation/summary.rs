@@ -133,7 +133,7 @@ pub struct Correlation {
     pub folds: usize,
     /// Spearman's rank correlation within each trial; the mean over the trials.
     pub rank: f64,
-    /// Its 95 % interval by a bootstrap over the trials, with fewer than six by Student's t; null where there is none.
+    /// Its 95 % interval over the trials by Student's t; null where there is none.
     pub interval: Option<Interval>,
     /// The candidates, with means over these trials.
     pub points: Vec<BoundAndError>,
