@@ -192,7 +192,7 @@ it("puts the arms of the jumping jack on the legs of the walk after the guess, a
   assert.deepEqual(await barriers(page), []);
   await page.getByTestId("borrow-0-1").click();
   await page.getByText("Learned as a whole: jumping jack.").waitFor();
-  assert.match(await borrowed.innerText(), /The feet stay in their place\.$/);
+  assert.match(await borrowed.innerText(), /The body stays in its place\.$/);
   await page.getByTestId("borrow-0-2").click();
   await page.getByText("The arms do their own movement.").waitFor();
   await page.getByTestId("borrow-1-6").click();

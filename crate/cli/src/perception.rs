@@ -31,7 +31,7 @@ pub struct Arguments {
     /// Write the results to this file.
     #[arg(long, value_name = "RESULTS.json")]
     out: Option<PathBuf>,
-    /// Write the data of the papers' figures into this folder, one CSV file for each figure.
+    /// Write the data of the papers' figures into this folder, as CSV files.
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
     /// The ceiling c of the logistic regression p = c / (1 + exp(w0 + w1 S)).

@@ -59,7 +59,7 @@ pub struct Arguments {
     /// other movements are unmarked.
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     failed: Option<Vec<String>>,
-    /// Seconds of every movement; absent: those of the design, 3.5 (p2: 1.8).
+    /// Seconds of every movement, at most those of the design, 3.5 (p2: 1.8), which are the default.
     #[arg(long, value_name = "S")]
     seconds: Option<f64>,
     /// The seed of everything random in the design.

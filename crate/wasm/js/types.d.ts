@@ -76,7 +76,7 @@ export interface TrainingOptions {
   parts?: string | NamedPart[];
   /** Latent dimensions Q of every part; absent: 3. */
   latent?: number;
-  /** Dynamics inducing points K of every expert; absent: 12, or 30 if a clip has 8 seconds or more. */
+  /** Dynamics inducing points K of every expert; absent: 12, or 30 if a clip has 8 seconds or more (a library: 12). */
   dynamicsIps?: number;
   /** Pose inducing points L of every part; absent: as for the dynamics. */
   poseIps?: number;

@@ -18,7 +18,7 @@ export const words: DrawingWords = {
   says: "Eine Zeile zum Mitschicken",
   send: "Senden",
   sendMeaning:
-    "Ein Link und sein Code, mit dieser Zeichnung und deiner Zeile. Nichts wird gesendet, bevor du es sendest.",
+    "Ein Link, und sein Code, wenn er nicht zu lang ist, mit dieser Zeichnung und deiner Zeile. Nichts wird gesendet, bevor du es sendest.",
   dare: {
     task: "Halte eine Hand mit einem Pfeil an. Die andere muss weiterzeichnen.",
     met: "Geschafft: Ein Pfeil hat eine Hand angehalten, und die andere zeichnet weiter.",

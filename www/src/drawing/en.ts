@@ -13,7 +13,7 @@ export const words = {
   says: "A line to send along",
   send: "Send",
   sendMeaning:
-    "A link and its code, with this drawing and your line in them. Nothing is sent before you send it.",
+    "A link, and its code if it is not too long, with this drawing and your line. Nothing is sent before you send it.",
   dare: {
     task: "Stop one hand with one arrow. The other hand must draw on.",
     met: "Done: one arrow stopped one hand, and the other draws on.",

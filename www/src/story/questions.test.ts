@@ -36,8 +36,8 @@ const ANSWERS: readonly [ChapterName[], string[], string[]][] = [
   ],
   [
     ["arms", "product"],
-    ["α is how unsure a source is", "area is its variance, alpha"],
-    ["α sagt", "Fläche ihre Varianz ist, Alpha"],
+    ["α is how unsure a source is", "area grows with its variance, alpha"],
+    ["α sagt", "Fläche mit ihrer Varianz Alpha wächst"],
   ],
   [
     ["arms"],

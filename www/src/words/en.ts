@@ -183,7 +183,7 @@ const product = {
   title: "Two guesses, one step",
   text:
     "Two experts guess the arms’ next step: the arms and the legs. A guess is a bell: its middle, and a circle whose " +
-    "area is its variance, alpha. The two bells are multiplied: the step lies between, nearer to the smaller circle. " +
+    "area grows with its variance, alpha. The two bells are multiplied: the step lies between, nearer to the smaller circle. " +
     "The legs’ guess alone would be wrong: both learned together, and only their product has to be right. " +
     "Pull at a circle.",
   guess: {

@@ -24,7 +24,7 @@ pub struct Options {
     #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent, value_parser = whole(1..=MOST_DIMENSIONS))]
     latent: usize,
     /// Inducing points of every dynamics map (vcgpdm, vgpdm). Absent: 12, or 30 if a clip of the body has 8
-    /// seconds or more.
+    /// seconds or more (a library: 12).
     #[arg(long, value_name = "K", value_parser = whole(1..=MOST_INDUCING))]
     dynamics_ips: Option<usize>,
     /// Inducing points of every pose map (vcgpdm, vgpdm). Absent: as for the dynamics.

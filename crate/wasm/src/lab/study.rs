@@ -299,8 +299,8 @@ pub struct StudyMaker {
 
 #[wasm_bindgen]
 impl StudyMaker {
-    /// A maker without movements, for the body of this clip. Each movement of the study lasts `seconds`, and
-    /// the comparison has `framesPerSecond` frames a second.
+    /// A maker without movements, for the body of this clip. Each movement of the study lasts `seconds`, at
+    /// most those of the preset; the comparison has `framesPerSecond` frames a second.
     #[wasm_bindgen(constructor)]
     pub fn new(
         body: &Clip,
@@ -326,7 +326,8 @@ impl StudyMaker {
     }
 
     /// Adds the prediction of a model for the held-out trial, as `Prediction.positions` gives it. If a
-    /// candidate has several seeds, the study keeps the seed with the highest `outcome.objective`.
+    /// candidate has several seeds, the study keeps the seed with the smallest
+    /// `outcome.trainingMse`; where no seed has it, the highest `outcome.objective`.
     #[wasm_bindgen(js_name = addGenerated)]
     pub fn add_generated(
         &mut self,

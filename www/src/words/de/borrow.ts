@@ -25,7 +25,7 @@ export const borrow: Words["chapters"]["borrow"] = {
   hands: (is, speed) => `Hände im Mittel: ${height(is)}, ${metres(speed)} m/s`,
   compared: (is, speed) => `; mit den eigenen Beinen: ${height(is)}, ${metres(speed)} m/s`,
   feet: (steps) =>
-    steps > 0 ? `${decimal("de", steps, 1)} Schritte in der Sekunde.` : "Die Füße bleiben auf ihrem Platz.",
+    steps > 0 ? `${decimal("de", steps, 1)} Schritte in der Sekunde.` : "Der Körper bleibt auf seinem Platz.",
   outcome: {
     own: "Die Arme machen ihre eigene Bewegung.",
     legs: "Die Arme schwingen wie zuvor.",

@@ -26,7 +26,7 @@ export const borrow = {
   hands: (is: number, speed: number) => `Hands on average: ${height(is)}, ${metres(speed)} m/s`,
   compared: (is: number, speed: number) => `; with their own legs: ${height(is)}, ${metres(speed)} m/s`,
   feet: (steps: number) =>
-    steps > 0 ? `${decimal("en", steps, 1)} steps a second.` : "The feet stay in their place.",
+    steps > 0 ? `${decimal("en", steps, 1)} steps a second.` : "The body stays in its place.",
   outcome: {
     own: "The arms do their own movement.",
     legs: "The arms swing as before.",
