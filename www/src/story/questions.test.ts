@@ -37,7 +37,7 @@ const ANSWERS: readonly [ChapterName[], string[], string[]][] = [
   [
     ["arms", "product"],
     ["α is how unsure a source is", "area grows with its variance, alpha"],
-    ["α sagt", "Fläche mit ihrer Varianz Alpha wächst"],
+    ["α sagt", "der mit ihrer Varianz Alpha wächst"],
   ],
   [
     ["arms"],

@@ -185,7 +185,7 @@ const product: Words["chapters"]["product"] = {
   title: "Zwei Vermutungen, ein Schritt",
   text:
     "Zwei Experten vermuten den nächsten Schritt der Arme: die Arme und die Beine. Eine Vermutung ist eine Glocke: " +
-    "eine Mitte und ein Kreis, dessen Fläche mit ihrer Varianz Alpha wächst. Beide Glocken werden multipliziert: Der Schritt " +
+    "eine Mitte und ein Kreis, der mit ihrer Varianz Alpha wächst. Beide Glocken werden multipliziert: Der Schritt " +
     "liegt dazwischen, näher beim kleineren Kreis. Die der Beine allein wäre falsch: Nur das Produkt muss stimmen. " +
     "Zieh an einem Kreis.",
   guess: {

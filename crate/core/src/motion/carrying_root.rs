@@ -316,7 +316,10 @@ mod tests {
     #[test]
     fn helper_bones_beside_hips_that_travel_are_left_out() {
         let walk = samples::clip("walk-1").unwrap();
-        let folded = carried_by(&walk, &[], &[], &["ik_foot_root", "ik_hand_root"]).into_clip();
+        let mut carried = carried_by(&walk, &Channel::ALL, &[0.0; 6], &["ik_foot_root", "ik_hand_root"]);
+        // A still root may tremble.
+        carried.values[(5, 0)] = 1e-4;
+        let folded = carried.into_clip();
         assert_eq!(folded.skeleton.joints.len(), walk.skeleton.joints.len());
         assert!(folded.warnings[0].ends_with("\"ik_foot_root\" and 1 more were left out"));
         // On the spot it is not clear which child is the body.

@@ -154,8 +154,8 @@ mod tests {
         assert_eq!(words(model.dynamics_ip_weights(0, 5, 0, &[])), "expected a part from 0 to 1, found 5");
         let most = model.parts[0].r().nrows() - 1;
         assert_eq!(
-            words(model.pose_ip_weights(0, 99, &[])),
-            format!("expected an inducing point from 0 to {most}, found 99")
+            words(model.pose_ip_weights(0, most + 1, &[])),
+            format!("expected an inducing point from 0 to {most}, found {}", most + 1)
         );
         let columns = model.parts[0].r().ncols();
         assert_eq!(
