@@ -147,7 +147,7 @@ seldom.it("reveals what the library finds, and has each answer once in three rou
       await page.locator(".story-more summary").click();
       assert.match(
         await page.getByTestId("worth").innerText(),
-        /with couplings has 0\.73 times.*1\.18 times.*: both undecided/s,
+        /with couplings, trained as in the papers, has 0\.73 times.*1\.18 times.*: both undecided/s,
       );
       assert.deepEqual(await barriers(page), []);
       await page.locator(".story-more summary").click();

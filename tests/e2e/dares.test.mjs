@@ -66,6 +66,7 @@ seldom.it("stops one hand of a drawing with one arrow", async () => {
   await arrow("0-0").fill("-3");
   await other.page.getByTestId("series-reset").click();
   await arrow("1-0").fill("-3");
-  await dare.getByText("Done: one arrow stopped one hand, and the other draws on.").waitFor();
+  const done = dare.getByText("Done: one arrow stopped one hand, and the other draws on.");
+  await done.waitFor({ timeout: 60_000 });
   assert.deepEqual(await barriersNow(other.page), []);
 });
