@@ -137,7 +137,7 @@ impl Claims<'_> {
         let answer = effect.is_below(limit);
         let persons = by_person(a, b, limit, self.1);
         let ratio = |logarithm: f64| limit * logarithm.exponential();
-        Some((effect.text() + &each_person(answer, &persons, ratio), answer))
+        Some((effect.text() + &each_person(answer, &persons, &ratio), answer))
     }
 
     /// Adds the claim that the errors of `a` are lower than `limit` times those of `b`.
@@ -154,7 +154,7 @@ impl Claims<'_> {
         let (model, label, settings) = (c.model.title(), &c.label, c.settings);
         let answer = ClaimAnswer::below(c.interval, 0.0);
         let own = |folds: &Range<usize>| c.trials.range(folds.clone()).map(|(_, rank)| *rank).collect();
-        let persons = each_person(answer, &self.1.iter().map(own).collect::<Vec<_>>(), |rank| rank);
+        let persons = each_person(answer, &self.1.iter().map(own).collect::<Vec<_>>(), &|rank| rank);
         (
             format!("{model}{label}: {rank}{interval} over {settings} settings (mean of {trials}){persons}"),
             answer,
@@ -325,7 +325,7 @@ fn against_all(claims: &mut Claims, sentence: &Sentence, parts: &Contender, rows
         let middle = if effect.median_interval.is_some() { effect.median } else { effect.mean };
         let answer = effect.is_below(1.0);
         let persons = by_person(&parts.errors, &other.errors, 1.0, claims.1);
-        let persons = each_person(answer, &persons, Elementary::exponential);
+        let persons = each_person(answer, &persons, &Elementary::exponential);
         found.push(format!(
             "{} times{range} {}, lower in {} of {}{}",
             fixed(middle, 2),

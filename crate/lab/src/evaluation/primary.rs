@@ -193,7 +193,7 @@ pub(super) fn by_person(a: &Errors, b: &Errors, limit: f64, people: &[Range<usiz
 
 /// The median of each person, as `shown`, if there are several; of each person the values of the trials. And how many
 /// persons with their mean and spread would decide the claim, if it is undecided and a thousand are enough.
-pub(super) fn each_person(answer: ClaimAnswer, everybody: &[Vec<f64>], shown: impl Fn(f64) -> f64) -> String {
+pub(super) fn each_person(answer: ClaimAnswer, everybody: &[Vec<f64>], shown: &dyn Fn(f64) -> f64) -> String {
     let medians: Vec<f64> = everybody.iter().filter(|own| !own.is_empty()).map(|own| median(own)).collect();
     if medians.len() < 2 {
         return String::new();
