@@ -92,7 +92,9 @@ describe("in a frame whose sandbox lacks allow-same-origin", () => {
         await route.fulfill({ response, headers });
       });
     await page.setContent(`<iframe sandbox="allow-scripts" width="900" height="600" src="${url}"></iframe>`);
-    return { frame: page.frameLocator("iframe"), leave };
+    const frame = page.frameLocator("iframe");
+    // Files may still be on their way.
+    return { frame, leave: () => page.unrouteAll({ behavior: "ignoreErrors" }).then(leave) };
   }
 
   it("says that the sandbox keeps it from starting, not that it was opened as a file", async () => {
