@@ -325,7 +325,7 @@ export interface MadeMotion {
   bvh: string;
   /** What was changed. */
   handles: ByHand;
-  /** The learned coupling variances of a MAP CGPDM; empty for another kind. */
+  /** The learned coupling variances of a MAP CGPDM; empty for another kind, and where others were given. */
   alpha: Couplings;
 }
 

@@ -175,9 +175,7 @@ function dragged(
 }
 
 /** Of its document. */
-interface MapCgpdm {
-  model: { alpha: Couplings };
-}
+type MapCgpdm = { model: { alpha: Couplings } };
 
 const anyModelWorker: AnyModelWorker = {
   rollOutAny: (text, frames, before = {}, drag) =>
@@ -190,7 +188,8 @@ const anyModelWorker: AnyModelWorker = {
           )
         : before;
       const { kind, figure, joints, parts, frameTime } = model.info();
-      const { alpha } = kind === "map-cgpdm" ? (JSON.parse(text) as MapCgpdm).model : { alpha: [] };
+      const isAsLearned = kind === "map-cgpdm" && !before.alpha;
+      const alpha = isAsLearned ? (JSON.parse(text) as MapCgpdm).model.alpha : [];
       if (!figure || !joints) throw new Error("expected a model of a body, found a model of tables");
       return roll(handles, (rollout) => {
         const positions = rollout.positions();

@@ -205,8 +205,8 @@ pub fn exponent_interval(pairs: &[(f64, f64)]) -> Option<(f64, Option<Interval>)
     Some((slope, interval))
 }
 
-/// How many times as many points, with the same spread round their line, would move this interval of an exponent of
-/// so many `points` off the limit; absent where more than a thousand times are needed.
+/// An exponent of `points` points has this interval. How many times as many points, with the same spread round their
+/// line, would give an interval without the limit; absent where more than a thousand times are needed.
 pub fn times_needed(interval: Interval, points: usize, limit: f64) -> Option<usize> {
     let middle = 0.5 * (interval.low + interval.high);
     let error = (interval.high - middle) / student_quantile(points.checked_sub(2).filter(|n| *n > 0)?);
