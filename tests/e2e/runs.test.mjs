@@ -251,7 +251,7 @@ describe("the table of trainings", () => {
       await page.locator("[data-testid=run][data-state=done]").nth(1).waitFor({ timeout: 90_000 });
       await trainIsBack(page);
       const heads = await page.getByTestId("runs").locator("thead th").allTextContents();
-      assert.deepEqual(heads, ["Seed", "K", "Bound", "It.", "Time"]);
+      assert.deepEqual(heads, ["Seed", "K", "Objective", "It.", "Time"]);
       assert.deepEqual(
         (await table(page)).map(({ cells }) => cells[0]),
         ["12", "9"],

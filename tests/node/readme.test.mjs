@@ -24,7 +24,7 @@ const snippets = [...readme.matchAll(/^```(js|ts)\r?\n([\s\S]*?)^```/gm)].map(
 
 /** What a snippet is to print, by what tells it from the others. */
 const PRINTS = /** @type {[string, RegExp][]} */ ([
-  ["new-walk.bvh", /^(\d+ iterations, weighted bound -?\d+ nats\n)+$/],
+  ["new-walk.bvh", /^(\d+ iterations, weighted objective -?\d+ nats\n)+$/],
   ["trainer.notices()", /^(settled|iterations) after \d+ \[\]\n$/],
   ["Model, Results", /^(?=.*model)(?=.*results)VcgpdmError model .*\nVcgpdmError results .*\n$/s],
   ["alpha[0][1] *= 10; // the first", /^vcgpdm frame,time,Hips\.yaw_rate,.*\n[a-z-]+\n(-?\d+\.\d+\n){2}$/],

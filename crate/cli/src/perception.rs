@@ -155,7 +155,7 @@ fn participants(text: &mut String, results: &PerceptionResults) -> std::fmt::Res
     if let Some(catch) = &results.catch {
         writeln!(
             text,
-            "Catch trials: participants took the unseen movement for the more natural one in {}; the probability of a rate of one half is {:.2}.",
+            "Catch trials: participants took the unseen movement for the more natural one in {}; at equal odds beforehand, a rate of one half has the probability {:.2}.",
             rate(&catch.confusion),
             catch.is_half
         )?;
@@ -163,7 +163,7 @@ fn participants(text: &mut String, results: &PerceptionResults) -> std::fmt::Res
     if let (Some(tell), Some(precise)) = (results.needed.to_tell, results.needed.for_precision) {
         writeln!(
             text,
-            "A setting needs {tell} trials to distinguish 0.6 from 0.5 with power 0.8, and {precise} trials for a rate of 0.5 to lie in [0.45, 0.55] with probability 0.8.",
+            "A setting needs {tell} trials to distinguish 0.6 from 0.5 (one-sided at 5 %, power 0.8), and {precise} trials for a rate of 0.5 to lie in [0.45, 0.55] with probability 0.8.",
         )?;
     }
     writeln!(text)

@@ -113,5 +113,5 @@ export interface TableTrainingOptions extends Omit<TrainingOptions, "parts"> {
   framesPerSecond?: number;
 }
 
-/** Why training ended: the bound no longer rises, or all iterations are used. */
+/** Why training ended: the objective no longer rises, or all iterations are used. */
 export type EndReason = "settled" | "iterations";

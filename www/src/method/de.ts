@@ -32,7 +32,7 @@ export const words: MethodWords = {
   rollout: {
     title: "Rollout",
     text: "Ein Rollout beginnt mit den ersten p latenten Zuständen eines Clips und sagt dann Bild für Bild voraus, alle Teile zusammen:",
-    mean: "Das ist der Mittelwert, ohne Zufall.",
+    mean: "Jeder Schritt ist der Mittelwert seiner Vorhersage, ohne Zufall.",
   },
   readings: {
     title: "Zwei Lesarten einer Kopplung",
@@ -46,12 +46,12 @@ export const words: MethodWords = {
   },
   others: {
     title: "Die anderen Modelle",
-    tmp: "[TMP|tmp] (Clever et al. 2016): Jede Spalte ist eine gewichtete Summe weniger Kurven über einer gemeinsamen Phase.",
+    tmp: "[TMP|tmp] (nach Clever et al. 2016): Jede Spalte ist eine gewichtete Summe weniger Kurven über einer gemeinsamen Phase.",
     dmp: "[DMP|dmp] (Ijspeert et al. 2013): Eine Feder zieht jede Spalte zu einem Ziel g, und eine gelernte Kraft f folgt einer vorgegebenen Uhr s.",
     map: "[MAP|map] (Wang et al. 2008; Velychko et al. 2014): dieselbe Dynamik wie oben, mit allen Bildern statt Stützpunkten, und mit den wahrscheinlichsten latenten Zuständen statt Verteilungen.",
     score: "Die Verwechslungsrate",
     scoreText:
-      "Beim vCGPDM fanden Velychko et al. (2018), dass Menschen eine Bewegung umso seltener für die natürliche halten, je größer ihr Fehler auf den Trainingsdaten ist, und passen a und c an; 0,5 wäre vollkommen. Bei DMPs fanden Knopp et al. (2019) keine solche Kurve.",
+      "Beim vCGPDM fanden Velychko et al. (2018), dass Menschen eine Bewegung umso seltener für die natürliche halten, je größer ihr Fehler auf den Trainingsdaten ist, und passen a und c an; 0,5 wäre vollkommen. Bei DMPs und dem Fehler auf zurückgehaltenen Versuchen fanden Knopp et al. (2019) keine solche Kurve.",
   },
   table: {
     label: "Eigenschaften der Modelle (Velychko et al. 2018, Tabelle 1)",

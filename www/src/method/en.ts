@@ -30,7 +30,7 @@ export const words = {
   rollout: {
     title: "Rollout",
     text: "A rollout starts with the first p latents of a clip and then predicts frame after frame, all parts together:",
-    mean: "This is the mean, with nothing random.",
+    mean: "Each step is the mean of its prediction, with nothing random.",
   },
   readings: {
     title: "Two readings of a coupling",
@@ -44,12 +44,12 @@ export const words = {
   },
   others: {
     title: "The other models",
-    tmp: "[TMP|tmp] (Clever et al. 2016): every column is a weighted sum of a few curves over a common phase.",
+    tmp: "[TMP|tmp] (after Clever et al. 2016): every column is a weighted sum of a few curves over a common phase.",
     dmp: "[DMP|dmp] (Ijspeert et al. 2013): a spring pulls every column towards a goal g, and a learned force f follows a given clock s.",
     map: "[MAP|map] (Wang et al. 2008; Velychko et al. 2014): the same dynamics as above, with all frames in place of inducing points, and the most probable latents in place of distributions.",
     score: "The perception score",
     scoreText:
-      "Of the vCGPDM, Velychko et al. (2018) found that people take a movement for the natural one less often the larger its error on the training data, and fit a and c; 0.5 would be perfect. Of DMPs, Knopp et al. (2019) found no such curve.",
+      "Of the vCGPDM, Velychko et al. (2018) found that people take a movement for the natural one less often the larger its error on the training data, and fit a and c; 0.5 would be perfect. Of DMPs, and the error on trials held out, Knopp et al. (2019) found no such curve.",
   },
   table: {
     label: "Properties of the models (Velychko et al. 2018, table 1)",

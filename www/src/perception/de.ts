@@ -169,9 +169,9 @@ export const words: PerceptionWords = {
     excluded: (count, limit) =>
       ` ${count} ${count === 1 ? "zählt" : "zählen"} nicht: weniger als ${limit} der Aufmerksamkeitsproben bestanden.`,
     caught: (trials, hits, probability) =>
-      `In ${hits} von ${trials} [Kontrolldurchgängen|catch-trial] gewann die Bewegung, die noch nicht gezeigt worden war: Mit Wahrscheinlichkeit ${probability} sind diese Antworten Zufall, als kennte niemand die anderen auswendig.`,
+      `In ${hits} von ${trials} [Kontrolldurchgängen|catch-trial] gewann die Bewegung, die noch nicht gezeigt worden war: Bei vorher gleichen Chancen sind diese Antworten mit Wahrscheinlichkeit ${probability} Zufall, als kennte niemand die anderen auswendig.`,
     needed: (toTell, forPrecision) =>
-      `Eine Einstellung braucht ${toTell} Antworten, um eine Rate, die um 0,1 von einem Halb abweicht, von ihm zu unterscheiden (Teststärke 0,8), und ${forPrecision}, bis eine Rate, die ein Halb ergab, mit Wahrscheinlichkeit 0,8 höchstens um 0,05 davon abweicht.`,
+      `Eine Einstellung braucht ${toTell} Antworten, um eine Rate, die 0,1 unter einem Halb liegt, von ihm zu unterscheiden (einseitig bei 5 %, Teststärke 0,8), und ${forPrecision}, bis eine Rate, die ein Halb ergab, mit Wahrscheinlichkeit 0,8 höchstens um 0,05 davon abweicht.`,
   },
   figures: {
     needsModel: "Braucht Antworten zu Bewegungen eines Modells.",

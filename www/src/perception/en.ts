@@ -163,9 +163,9 @@ export const words = {
       `${trials} answers of ${people(participants)}: the model’s movement was taken for the natural one in ${share}.`,
     excluded: (count: number, limit: string) => ` ${count} left out, below ${limit} of the attention checks.`,
     caught: (trials: number, hits: number, probability: string) =>
-      `Of ${trials} [catch trials|catch-trial] the movement not seen before won ${hits}: with probability ${probability} these answers are chance, as if nobody knew the others by heart.`,
+      `Of ${trials} [catch trials|catch-trial] the movement not seen before won ${hits}: at equal odds beforehand, these answers are chance with probability ${probability}, as if nobody knew the others by heart.`,
     needed: (toTell: number, forPrecision: number) =>
-      `A setting needs ${toTell} answers to tell a rate 0.1 away from one half (power 0.8), and ${forPrecision} until a rate found to be one half is within 0.05 of it with probability 0.8.`,
+      `A setting needs ${toTell} answers to tell a rate 0.1 below one half (one-sided at 5 %, power 0.8), and ${forPrecision} until a rate found to be one half is within 0.05 of it with probability 0.8.`,
   },
   figures: {
     needsModel: "Needs answers about a model’s movements.",

@@ -83,7 +83,7 @@ it("names the part for which all couplings ended at their limit, and does not ca
   const again = fitting.fit("a");
   await end(FITTED);
   await again;
-  expect(fitText(fitting)).toEqual({ text: "The bound no longer rises. 1.5 s.", failed: false });
+  expect(fitText(fitting)).toEqual({ text: "The objective no longer rises. 1.5 s.", failed: false });
 });
 
 it("does not change a combination that was chosen meanwhile", async () => {

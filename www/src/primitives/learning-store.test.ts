@@ -89,7 +89,7 @@ it("learns the groups, and opens the library", async () => {
   training?.end({ cancelled: false, reason: "settled" });
   await learned;
   expect(library.current).toMatchObject({ text: libraryText("learned"), unsaved: true });
-  expect(learning.ending).toEqual({ words: "the bound no longer rises", failed: false });
+  expect(learning.ending).toEqual({ words: "the objective no longer rises", failed: false });
   await library.undo();
   expect(library.current?.text).toBe(libraryText("first"));
 });

@@ -258,7 +258,7 @@ describe("by default", () => {
     await over;
     expect(seedOnStage()).toBe(6);
     expect(training.ending.words).toBe(
-      "2 done. The best, seed 6, is on the stage: it keeps moving, while seed 5, of a higher bound, stands still from 2.4 s on.",
+      "2 done. The best, seed 6, is on the stage: it keeps moving, while seed 5, whose objective is higher, stands still from 2.4 s on.",
     );
   });
 
@@ -272,7 +272,7 @@ describe("by default", () => {
     await over;
     expect(seedOnStage()).toBe(6);
     expect(training.ending.words).toBe(
-      "2 done. The best, seed 6, is on the stage: its motion is closer to the clips than that of seed 5, of a higher bound.",
+      "2 done. The best, seed 6, is on the stage: its motion is closer to the clips than that of seed 5, whose objective is higher.",
     );
   });
 });

@@ -17,17 +17,17 @@ describe("how a training ended", () => {
   const done = { cancelled: false, reason: "settled" as const };
 
   it("names the setbacks, if there were any", () => {
-    expect(endingWords(done, progress(3))).toBe("the bound no longer rises");
+    expect(endingWords(done, progress(3))).toBe("the objective no longer rises");
     const setbacks = { jittered: 3, turnedBack: 1 };
     expect(endingWords(done, { ...progress(3), setbacks })).toBe(
-      "The bound no longer rises. A covariance needed jitter on its diagonal 3 times. The search turned back once where there was no finite number.",
+      "The objective no longer rises. A covariance needed jitter on its diagonal 3 times. The search turned back once where there was no finite number.",
     );
   });
 
   it("names the settings that the program reduced", () => {
     const notices = ["40 pose inducing points are reduced, because there are only 20 frames"];
     expect(endingWords({ ...done, notices }, progress(3))).toBe(
-      "The bound no longer rises. 40 pose inducing points are reduced, because there are only 20 frames.",
+      "The objective no longer rises. 40 pose inducing points are reduced, because there are only 20 frames.",
     );
   });
 });

@@ -43,7 +43,7 @@ pub struct Arguments {
     /// Inducing points of every pose map: each number with each of --ips.
     #[arg(long, value_name = "L,L", value_delimiter = ',', value_parser = whole(1..=MOST_INDUCING))]
     pub pose_ips: Vec<usize>,
-    /// Primitives of the TMP over normalised time, with weights that all trials share, as in the papers.
+    /// Primitives of the TMP over normalised time, with weights that all trials share, nearer to the papers.
     #[arg(long)]
     pub normalised_time: bool,
     /// Numbers of primitives of the TMP: "bound" chooses by the bound.

@@ -56,7 +56,7 @@ pub struct Options {
     /// A linear term in the kernels of the dynamics (map-gpdm, map-cgpdm).
     #[arg(long)]
     linear: bool,
-    /// Primitives over normalised time, with weights that all trials share, as in the papers (tmp); absent:
+    /// Primitives over normalised time, with weights that all trials share, nearer to the papers (tmp); absent:
     /// over learned phases.
     #[arg(long)]
     normalised_time: bool,
@@ -154,7 +154,7 @@ pub fn weight(balanced: bool, pose_weight: Option<PoseWeight>, usual: PoseWeight
 /// The name of the objective that a training with these settings maximises.
 pub fn objective(settings: &Settings) -> &'static str {
     match settings {
-        Settings::Vcgpdm(s) | Settings::Vgpdm(s) if !s.pose_weight.is_plain() => "weighted bound",
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) if !s.pose_weight.is_plain() => "weighted objective",
         Settings::Vcgpdm(_) | Settings::Vgpdm(_) | Settings::Tmp(_) => "bound",
         Settings::MapGpdm(_) | Settings::MapCgpdm(_) => "log density",
         Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => "minus the mean squared error",

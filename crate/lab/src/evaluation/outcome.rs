@@ -113,7 +113,9 @@ impl Outcome {
             return Some(false);
         }
         let settled = [EndReason::BoundSettled, EndReason::WeightedBoundSettled, EndReason::DensitySettled];
-        settled.iter().any(|end| reason == end.to_string()).then_some(true)
+        // Files of earlier versions say it in other words.
+        let settles = reason == "the weighted bound no longer rises";
+        (settles || settled.iter().any(|end| reason == end.to_string())).then_some(true)
     }
 }
 

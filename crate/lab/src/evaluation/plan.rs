@@ -44,7 +44,7 @@ pub struct Plan {
     pub pose_ips: Vec<usize>,
     /// Numbers of primitives of the TMP; null: the bound chooses the number.
     pub primitives: Vec<Option<usize>>,
-    /// Whether the TMP is the model of the papers: it uses normalised time, and all trials share its weights.
+    /// Whether the TMP is nearer to that of the papers: it uses normalised time, and all trials share its weights.
     #[cfg_attr(feature = "types", ts(type = "boolean", optional))]
     pub normalised_time: bool,
     /// Numbers of basis functions of the DMPs.

@@ -8,7 +8,7 @@ export const words: HelpWords = {
   points:
     "Stützpunkte sind die wenigen Beispiele, die das Modell statt der Daten behält: Posen (Rauten) und kurze Stücke Bewegung (Pfeile). Zeige auf einen, um seine Pose zu sehen, und auf der Zeitleiste die Bilder, für die er spricht.",
   training:
-    "Das Training erhöht die untere Schranke der Evidenz, meist mit gewichteten Posen: wie gut das Modell die Clips erklärt, abzüglich der Kosten.",
+    "Das Training erhöht die untere Schranke der Evidenz oder eine Summe wie sie, mit gewichteten Posen: wie gut das Modell die Clips erklärt, abzüglich der Kosten.",
   method: "Die Methode: Gleichungen, Zeichen, Literatur",
   keysTitle: "Tasten",
   keys: [

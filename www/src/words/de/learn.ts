@@ -160,7 +160,7 @@ export const learn: LearnWords = {
     notTakenUp: (seed) => `Das Modell von Startwert ${seed} kam nicht auf die Bühne`,
   },
   ending: {
-    settled: "die Schranke steigt nicht mehr",
+    settled: "die Zielfunktion steigt nicht mehr",
     iterations: "alle Iterationen sind verbraucht",
     done: "Fertig.",
     left: "Du hast die Seite verlassen; dies ist das Beste bis dahin.",
@@ -172,10 +172,10 @@ export const learn: LearnWords = {
       `${count} ${{ done: "fertig", cancelled: "abgebrochen", failed: "gescheitert" }[state]}`,
     best: (seed, soFar) => ` Das beste${soFar ? " bis jetzt" : ""}, Startwert ${seed}, ist auf der Bühne`,
     closer: (seed) =>
-      `: Seine Bewegung ist näher an den Clips als die von Startwert ${seed} mit höherer Schranke`,
+      `: Seine Bewegung ist näher an den Clips als die von Startwert ${seed} mit höherem Zielwert`,
     keepsMoving: "bewegt sich weiter",
     worse: (how, seed, otherHow) =>
-      `. Für dieses gilt: ${how}. Für Startwert ${seed} mit höherer Schranke gilt: ${otherHow}`,
+      `. Für dieses gilt: ${how}. Für Startwert ${seed} mit höherem Zielwert gilt: ${otherHow}`,
     motion: {
       breaksDown: "bricht zusammen",
       rests: "ruht wie aufgenommen",
@@ -202,7 +202,7 @@ export const learn: LearnWords = {
     show: (seed) => `Startwert ${seed} zeigen`,
     best: "das beste",
     remove: (seed) => `Startwert ${seed} entfernen`,
-    bound: "Schranke",
+    bound: "Zielwert",
     iterations: "Iterationen",
     iterationsHead: "It.",
     time: "Zeit",
@@ -210,15 +210,15 @@ export const learn: LearnWords = {
     joints: (name, count) => `${name} (${count} Gelenke)`,
     heads: { framesPerSecond: "Bilder/s", maxIterations: "höchstens", poseWeight: "Gewicht" },
     comparable:
-      "Schranken sind nur zwischen Trainings mit denselben Bildern und demselben Gewicht der Posen vergleichbar; das Diagramm zeigt diese.",
+      "Zielwerte sind nur zwischen Trainings mit denselben Bildern und demselben Gewicht der Posen vergleichbar; das Diagramm zeigt diese.",
   },
   bound: {
     name: "Untere Schranke (ELBO)",
-    weighted: "Gewichtete Schranke",
+    weighted: "Gewichtete Zielfunktion",
     in: "in",
     nats: "Nats",
     seed: (seed) => `Startwert ${seed}`,
-    overIterations: "Die Schranke über den Iterationen",
+    overIterations: "Der Zielwert über den Iterationen",
     empty: "Sie steigt hier, während ein Modell lernt.",
     terms: "Terme der Schranke",
     termsOverIterations: "Die Terme der Schranke über den Iterationen",

@@ -101,7 +101,7 @@ export const terms: TermsWords = {
     bound: {
       title: "untere Schranke der Evidenz",
       words:
-        "Wie gut das Modell die Clips erklärt, abzüglich dessen, was das Erklären kostet. Das Training erhöht sie, im Labor meist mit kleineren Gewichten der Posen; Schranken sind nur zwischen Modellen derselben Bilder vergleichbar.",
+        "Wie gut das Modell die Clips erklärt, abzüglich dessen, was das Erklären kostet. Das Training erhöht sie oder, im Labor meist, ihre Summe mit kleineren Gewichten der Posen; Schranken sind nur zwischen Modellen derselben Bilder vergleichbar.",
     },
     "bound-terms": {
       title: "Terme der Schranke",
@@ -116,7 +116,7 @@ export const terms: TermsWords = {
     iterations: {
       title: "Iteration",
       words:
-        "Ein Schritt der Optimierung, die die Zahlen des Modells (zuerst alle außer den latenten Zuständen) so ändert, dass die Schranke, oft mit Gewichten, steigt. Das Training endet, wenn sie nicht mehr steigt oder nach so vielen Schritten.",
+        "Ein Schritt der Optimierung, die die Zahlen des Modells (zuerst alle außer den latenten Zuständen) so ändert, dass die Zielfunktion steigt. Das Training endet, wenn sie nicht mehr steigt oder nach so vielen Schritten.",
     },
     seed: {
       title: "Startwert",
@@ -171,7 +171,7 @@ export const terms: TermsWords = {
     fold: {
       title: "Fold",
       words:
-        "Ein zurückgehaltener Versuch, während die Modelle aus den anderen und seinen ersten Bildern lernen. Jeder Versuch wird einmal zurückgehalten: Ein Modell hat den Rest, nach dem es beurteilt wird, nicht gesehen.",
+        "Ein zurückgehaltener Versuch, während die Modelle aus den anderen lernen und seine ersten Bilder sehen. Jeder Versuch wird einmal zurückgehalten: Ein Modell hat den Rest, nach dem es beurteilt wird, nicht gesehen.",
     },
     "confusion-rate": {
       title: "Verwechslungsrate",

@@ -7,7 +7,7 @@ export const words = {
   points:
     "Inducing points are the few examples that the model keeps in place of the data: poses (diamonds), and short pieces of movement (arrows). Point at one to see its pose, and the frames it speaks for on the time line.",
   training:
-    "Training climbs the evidence lower bound, mostly with weighted poses: how well the model explains the clips, less its cost.",
+    "Training climbs the evidence lower bound, or a sum like it with weighted poses: how well the model explains the clips, less its cost.",
   method: "The method: equations, symbols, references",
   keysTitle: "Keys",
   keys: [

@@ -156,7 +156,7 @@ export const learn = {
     notTakenUp: (seed: number) => `The model of seed ${seed} was not taken up`,
   },
   ending: {
-    settled: "the bound no longer rises",
+    settled: "the objective no longer rises",
     iterations: "all iterations used",
     done: "Done.",
     left: "You left the page; this is the best so far.",
@@ -168,10 +168,10 @@ export const learn = {
     best: (seed: number, soFar: boolean) =>
       ` The best${soFar ? " so far" : ""}, seed ${seed}, is on the stage`,
     closer: (seed: number) =>
-      `: its motion is closer to the clips than that of seed ${seed}, of a higher bound`,
+      `: its motion is closer to the clips than that of seed ${seed}, whose objective is higher`,
     keepsMoving: "keeps moving",
     worse: (how: string, seed: number, otherHow: string) =>
-      `: it ${how}, while seed ${seed}, of a higher bound, ${otherHow}`,
+      `: it ${how}, while seed ${seed}, whose objective is higher, ${otherHow}`,
     motion: {
       breaksDown: "breaks down",
       rests: "rests as recorded",
@@ -198,7 +198,7 @@ export const learn = {
     show: (seed: number) => `Show seed ${seed}`,
     best: "the best",
     remove: (seed: number) => `Remove seed ${seed}`,
-    bound: "Bound",
+    bound: "Objective",
     iterations: "Iterations",
     iterationsHead: "It.",
     time: "Time",
@@ -206,15 +206,15 @@ export const learn = {
     joints: (name: string, count: number) => `${name} (${count} joints)`,
     heads: { framesPerSecond: "fps", maxIterations: "at most", poseWeight: "weight" },
     comparable:
-      "Bounds can be compared between trainings on the same frames with the same weight of the poses only; the chart shows those.",
+      "Objectives can be compared between trainings on the same frames with the same weight of the poses only; the chart shows those.",
   },
   bound: {
     name: "Evidence lower bound",
-    weighted: "Weighted bound",
+    weighted: "Weighted objective",
     in: "in",
     nats: "nats",
     seed: (seed: number) => `seed ${seed}`,
-    overIterations: "The bound over the iterations",
+    overIterations: "The objective over the iterations",
     empty: "It rises here while a model trains.",
     terms: "Terms of the bound",
     termsOverIterations: "The terms of the bound over the iterations",

@@ -100,7 +100,7 @@ export const terms = {
     bound: {
       title: "evidence lower bound",
       words:
-        "How well the model explains the clips, less what it takes to say so. Training raises it, in the Lab by default with smaller weights of the poses; bounds can be compared between models of the same frames only.",
+        "How well the model explains the clips, less what it takes to say so. Training raises it, or, in the Lab by default, its sum with smaller weights of the poses; bounds can be compared between models of the same frames only.",
     },
     "bound-terms": {
       title: "terms of the bound",
@@ -114,7 +114,7 @@ export const terms = {
     iterations: {
       title: "iteration",
       words:
-        "One step of the optimiser, which changes the numbers of the model (at first all but the latents) so that the bound, often with weights, rises. Training ends when it no longer rises, or after this many.",
+        "One step of the optimiser, which changes the numbers of the model (at first all but the latents) so that the objective rises. Training ends when it no longer rises, or after this many.",
     },
     seed: {
       title: "seed",
@@ -169,7 +169,7 @@ export const terms = {
     fold: {
       title: "fold",
       words:
-        "One trial held out, while the models learn from the others and from its first frames. Each trial is held out in turn: a model has not seen the rest of what it is scored on.",
+        "One trial held out, while the models learn from the others and see its first frames. Each trial is held out in turn: a model has not seen the rest of what it is scored on.",
     },
     "confusion-rate": {
       title: "confusion rate",

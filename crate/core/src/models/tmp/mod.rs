@@ -22,7 +22,7 @@
 //!   mean of the whole trials, and its start maximises the posterior, with the weights integrated out. The
 //!   posterior of its weights is the prediction; it is near mu_k where those frames have no information.
 //!
-//! With [`crate::models::TmpSettings::normalised_time`] the model is that of Clever et al. (2016): functions
+//! With [`crate::models::TmpSettings::normalised_time`] the model is nearer to that of Clever et al. (2016): functions
 //! of normalised time, and weights of the columns that all trials share, w_sk = w_k. Learned phases, cycles
 //! and weights of each trial are extensions of this project.
 //!

@@ -97,7 +97,7 @@ impl fmt::Display for TrainingPhase {
 pub enum EndReason {
     /// The bound no longer rises.
     BoundSettled,
-    /// The bound with weighted pose terms no longer rises.
+    /// The objective, the bound with weighted pose terms, no longer rises.
     WeightedBoundSettled,
     /// The log density no longer rises.
     DensitySettled,
@@ -135,7 +135,7 @@ impl fmt::Display for EndReason {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             EndReason::BoundSettled => f.write_str("the bound no longer rises"),
-            EndReason::WeightedBoundSettled => f.write_str("the weighted bound no longer rises"),
+            EndReason::WeightedBoundSettled => f.write_str("the weighted objective no longer rises"),
             EndReason::DensitySettled => f.write_str("the density no longer rises"),
             EndReason::Iterations => f.write_str("all iterations used"),
             EndReason::MorePrimitivesAreWorse { best } => {
@@ -165,7 +165,7 @@ mod tests {
         for (reason, message) in [
             (EndReason::BoundSettled, "the bound no longer rises".to_owned()),
             (EndReason::DensitySettled, "the density no longer rises".to_owned()),
-            (EndReason::WeightedBoundSettled, "the weighted bound no longer rises".to_owned()),
+            (EndReason::WeightedBoundSettled, "the weighted objective no longer rises".to_owned()),
             (EndReason::Iterations, "all iterations used".to_owned()),
             (
                 EndReason::MorePrimitivesAreWorse { best: 4 },

@@ -90,8 +90,8 @@ impl VariationalSettings {
 
     /// The settings for clips of which the longest has this many seconds:
     ///
-    /// - the pose terms are balanced: rollouts then have smaller errors (docs/training.md, "The weight of the
-    ///   poses");
+    /// - the pose terms are balanced: on walks of six persons rollouts then had smaller errors (docs/training.md,
+    ///   "The weight of the poses");
     /// - from 8 seconds on, every map has 30 inducing points instead of 12: more rollouts kept moving with them,
     ///   by a small and not certain margin ("Points by length");
     /// - the model learns from its own rollouts: fewer models come to rest ("Learning from own rollouts").
@@ -104,7 +104,7 @@ impl VariationalSettings {
     }
 
     /// The settings for a library of several movements: those of the papers, and each movement learns from its
-    /// own rollouts. Balanced, fewer movements move on (docs/training.md, "Libraries").
+    /// own rollouts. No gain from balanced pose terms was seen (docs/training.md, "Libraries").
     pub fn for_library() -> Self {
         Self::default().with_own_rollouts(true)
     }

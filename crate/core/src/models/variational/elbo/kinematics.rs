@@ -125,7 +125,7 @@ impl Kinematics {
         Ok(bound)
     }
 
-    /// Adds the gradient of the weighted bound to `into`, that of the `part`; `workspace` is as
+    /// Adds the gradient of the weighted objective to `into`, that of the `part`; `workspace` is as
     /// [`compute`](Self::compute) left it.
     pub fn pull_back(&mut self, part: &PartParams, workspace: &mut PairWorkspace, into: &mut PartParams) {
         let (adjoint, kernel) = (self.outputs.adjoint(), &mut self.kernel_adjoint);
