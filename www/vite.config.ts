@@ -152,6 +152,8 @@ export default defineConfig({
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 900, rollupOptions: { output } },
   // Threads start in half the time of processes.
   test: {
+    // Tests of the page start one program for all its workers.
+    alias: { "vcgpdm/player": wasmPackage("web/glue.js") },
     setupFiles: ["src/words/lab.setup.ts"],
     pool: "threads",
     projects: [

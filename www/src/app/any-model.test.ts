@@ -1,5 +1,6 @@
 import { beforeEach, expect, it, vi } from "vitest";
-import { FakeProgram } from "../engine/whole-workers.fake";
+import { documentText } from "../engine/documents.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
@@ -14,7 +15,7 @@ const notices = new NoticesStore();
 let settings: SettingsStore;
 let playback: Playback;
 let stage: StageStore;
-let program: FakeProgram;
+let workers: HeldWorkers;
 beforeEach(async () => {
   const documentElement = { lang: "" };
   Object.assign(globalThis, { document: { documentElement, createElement: () => ({}) } });
@@ -22,11 +23,13 @@ beforeEach(async () => {
   settings = new SettingsStore(new FakeAddressBar("frames=120"));
   playback = new Playback(settings);
   stage = new StageStore(playback);
-  program = new FakeProgram();
+  workers = new HeldWorkers();
 });
 
-const page = () => ({ stage, playback, settings, notices, words, workers: program });
+const page = () => ({ stage, playback, settings, notices, words, workers });
 
+const TMP = documentText("tmp");
+const DMP = documentText("dmp-discrete");
 const show = (name: string, text: string) => showAnyModel(page(), { name, text, link: null });
 
 /** The motion of a model with couplings. */
@@ -39,32 +42,30 @@ function showModel(): void {
 }
 
 it("shows the motion of a model without couplings, as long as that of the model, and says so", async () => {
-  await show("walk.model.json", '{"kind":"tmp"}');
+  await show("walk.model.json", TMP);
+  const made = await workers.desk.run((worker) => worker.rollOutAny(TMP, 120));
   expect(stage.content).toMatchObject({
     kind: "clip",
-    joints: ["hips"],
-    motion: { frames: 120 },
+    joints: made.joints.map(({ name }) => name),
+    motion: made.motion,
     caption: { title: "Made by a TMP", text: expect.stringContaining("change its tempo") },
   });
-  expect(otherModelOnStage(stage)).toMatchObject({
-    ...{ name: "walk", kind: "tmp", bvh: "HIERARCHY" },
-    ...{ text: '{"kind":"tmp"}', modelFile: "" },
-  });
+  const named = { name: "walk", text: TMP, modelFile: "" };
+  expect(otherModelOnStage(stage)).toMatchObject({ ...named, kind: "tmp", bvh: made.bvh });
 });
 
 it("has the handles of a TMP or DMP, whose motion has the learned one as its outline", async () => {
-  await show("a.json", '{"kind":"map-gpdm"}');
+  workers.answer("rollOutAny", async (real, ...given) => ({ ...(await real(...given)), kind: "map-gpdm" }));
+  await show("a.json", TMP);
   expect(stage.content?.controls).toBe(undefined);
-  await show("a.json", '{"kind":"dmp-discrete"}');
+  workers.answer("rollOutAny", (real, ...given) => real(...given));
+  await show("a.json", DMP);
   const learned = stage.content?.motion;
   const { handles } = stage.content!.controls as HandlesView;
   handles.tempo = 2;
   await vi.waitFor(() => expect(stage.content?.ghost).toBe(learned));
-  expect(otherModelOnStage(stage)).toMatchObject({
-    name: "a",
-    handles: { tempo: 2 },
-    text: '{"kind":"dmp-discrete"}',
-  });
+  expect(stage.content?.motion).not.toEqual(learned);
+  expect(otherModelOnStage(stage)).toMatchObject({ name: "a", handles: { tempo: 2 }, text: DMP });
   showModel();
   stage.endClip();
   expect(handles.running).toBe(false);
@@ -72,7 +73,7 @@ it("has the handles of a TMP or DMP, whose motion has the learned one as its out
 
 it("goes when the model comes back", async () => {
   showModel();
-  await show("a.json", '{"kind":"dmp-rhythmic"}');
+  await show("a.json", documentText("dmp-rhythmic"));
   expect(stage.content?.caption?.title).toBe("Made by a DMP (rhythmic)");
   stage.endClip();
   expect([stage.content?.kind, otherModelOnStage(stage)]).toEqual(["model", null]);
@@ -81,7 +82,7 @@ it("goes when the model comes back", async () => {
 it("is named by the address that brought it until it leaves the stage", async () => {
   showModel();
   const link = { frames: 60, take: () => settings.change({ modelFile: "b.json", frames: 60 }) };
-  await showAnyModel(page(), { name: "b.json", text: '{"kind":"tmp"}', link });
+  await showAnyModel(page(), { name: "b.json", text: TMP, link });
   expect(otherModelOnStage(stage)).toMatchObject({ motion: { frames: 60 }, modelFile: "b.json" });
   showModel();
   expect(settings.values.modelFile).toBe("b.json");
@@ -90,6 +91,6 @@ it("is named by the address that brought it until it leaves the stage", async ()
 });
 
 it("changes nothing when the document cannot be read", async () => {
-  await expect(show("a.json", "no model")).rejects.toThrow();
+  await expect(show("a.json", "no model")).rejects.toThrow("expected a model as JSON");
   expect(stage.content).toBe(null);
 });

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
-import { FakeProgram } from "../engine/whole-workers.fake";
+import { bvhText, modelText } from "../engine/documents.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { App } from "./app";
 import { download } from "../ui/download";
@@ -13,33 +13,35 @@ import { loadNewVersion, wouldLose } from "./leaving";
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
-let engine: FakeEngine;
-let trainers: FakeTrainers;
+let workers: HeldWorkers;
 let bar: FakeAddressBar;
 let app: App;
 
-function begin(fragment = ""): void {
-  engine = new FakeEngine();
-  trainers = new FakeTrainers(1);
+/** A training is short. */
+function begin(
+  fragment = "seed=5&iterations=10&latent=1&order=1&dynamics=2&poses=2&fps=5&papers=1&frames=60",
+): void {
+  workers = new HeldWorkers(1);
+  workers.bring("walk-1");
   bar = new FakeAddressBar(fragment);
-  app = new App(bar, false, new FakeProgram());
+  app = new App(bar, false, workers);
 }
 beforeEach(() => begin());
 
 const start = (text: string | null = modelText(1)) =>
   app.start(
-    () => Promise.resolve(started(engine, trainers)),
+    async () => workers.started(),
     async () => text,
   );
 const file = (name: string, text: string) => new File([text], name);
-/** Begins a training with a first model. Returns a function that ends the training. */
+/** Begins a training. Returns a function that lets it train. */
 async function train() {
+  workers.hold("train");
   const over = app.training.start();
-  await settled();
-  trainers.trainings.at(-1)?.report(2, -5, modelText(5));
-  return async () => {
-    trainers.trainings.at(-1)?.end({ cancelled: false, reason: null });
-    await over;
+  await workers.settled();
+  return () => {
+    workers.held("train").at(-1)?.go();
+    return over;
   };
 }
 const titles = () => app.notices.all.map(({ title }) => title);
@@ -48,9 +50,10 @@ describe("the start of the page", () => {
   it("takes up the model and the couplings of the address, then the clips", async () => {
     begin("alpha=0.1:50");
     await start();
-    await settled();
-    expect([app.engine.state, app.engine.version, app.clips.all.length]).toEqual(["ready", "1.2.3", 3]);
-    expect([app.model.rollout?.weights[0]?.[1], app.stage.content?.kind]).toEqual([50, "model"]);
+    await workers.settled();
+    const { version } = workers.started();
+    expect([app.engine.state, app.engine.version, app.clips.all.length]).toEqual(["ready", version, 1]);
+    expect([app.model.rollout?.request.alpha?.[0]?.[1], app.stage.content?.kind]).toEqual([50, "model"]);
     expect(app.training.whyNot()).toBe("");
   });
 
@@ -61,7 +64,7 @@ describe("the start of the page", () => {
     );
     expect([app.engine.state, app.engine.problem]).toEqual(["failed", "this browser has no WebAssembly"]);
     expect(app.training.whyNot()).toBe("The model cannot run in this browser");
-    await openFiles(app, [file("a.bvh", "HIERARCHY")], { x: 1, y: 2 });
+    await openFiles(app, [file("a.bvh", bvhText())], { x: 1, y: 2 });
     expect(app.notices.all).toMatchObject([
       { title: "Nothing was opened", text: "This browser has no WebAssembly.", at: { x: 1, y: 2 } },
     ]);
@@ -70,13 +73,13 @@ describe("the start of the page", () => {
   it("fails with a model that cannot be read, or without its clips", async () => {
     await start("no model");
     const found = [app.engine.state, app.engine.problem, app.clips.samplesLoaded];
-    expect(found).toEqual(["failed", "expected a model", false]);
+    expect(found).toEqual(["failed", expect.stringContaining("expected a model as JSON"), false]);
     begin();
-    engine.holding.add("sampleClip");
+    workers.hold("sampleClip");
     const over = start();
-    await settled();
+    await workers.settled();
     expect(app.engine.state).toBe("ready");
-    engine.held[0]?.fail(new Error("out of memory"));
+    workers.held("sampleClip")[0]?.fail(new Error("out of memory"));
     await over;
     expect([app.engine.state, app.engine.problem]).toEqual(["failed", "out of memory"]);
   });
@@ -91,8 +94,8 @@ it("follows a link to other couplings", async () => {
   await start();
   bar.pages.push("alpha=1.0:3");
   app.followAddress();
-  await settled();
-  expect(app.model.rollout?.weights[1]?.[0]).toBe(3);
+  await workers.settled();
+  expect(app.model.rollout?.request.alpha?.[1]?.[0]).toBe(3);
 });
 
 describe("files", () => {
@@ -101,7 +104,7 @@ describe("files", () => {
   it("are opened one after the other by their kinds, with notices at the place of the drop", async () => {
     const at = { x: 3, y: 4 };
     const files = [
-      file("mine.bvh", "HIERARCHY"),
+      file("mine.bvh", bvhText()),
       file("empty.bvh", ""),
       file("model.json", modelText(9)),
       file("picture.png", "x"),
@@ -117,13 +120,10 @@ describe("files", () => {
   });
 
   it("with a model replace the model of a finished run, but not of a running training", async () => {
-    const over = app.training.start();
-    await settled();
-    trainers.trainings[0]?.report(2, -5, modelText(5));
+    const end = await train();
     await openFiles(app, [file("model.json", modelText(9))], null);
     expect(app.notices.all[0]?.text).toMatch(/A training is running/);
-    trainers.trainings[0]?.end({ cancelled: false, reason: null });
-    await over;
+    await end();
     expect(app.training.chosen?.state).toBe("done");
     await openFiles(app, [file("model.json", modelText(9))], null);
     expect([app.training.chosen, app.model.model?.info.provenance.settings.seed]).toEqual([null, 9]);
@@ -142,7 +142,7 @@ describe("a model on the stage", () => {
     await (await train())();
     await openModel(app, modelText(9));
     await app.training.choose(app.training.runs[0] ?? expect.fail());
-    await settled();
+    await workers.settled();
     expect([seed(), visitor.asked]).toEqual([5, []]);
   });
 
@@ -215,9 +215,12 @@ describe("an earlier visit", () => {
       ...{ key: `own-${name}`, id: 7, title: name, origin: "own" as const, ticked: true, first: 0, end: 90 },
       source: { name, file: new Blob([text]) },
     });
-    const clips = [clip("empty", ""), clip("walk", "HIERARCHY")];
+    const clips = [clip("empty", ""), clip("walk", bvhText())];
     const problems = await visitOf(app).takeUp({ ...earlier, clips, model: "no model" });
-    expect(problems).toEqual([expect.stringMatching(/^The clip empty: /), "The model: expected a model."]);
+    expect(problems).toEqual([
+      expect.stringMatching(/^The clip empty: /),
+      expect.stringMatching(/^The model: expected a model as JSON/),
+    ]);
     expect(app.clips.all.map(({ title }) => title)).toContain("walk");
   });
 });
@@ -237,8 +240,7 @@ describe("a new version of the page", () => {
 
   it("does not end a training before the visitor says so", async () => {
     visitor.arrives("keep");
-    const over = app.training.start();
-    await settled();
+    const end = await train();
     await loadNewVersion(app);
     expect([visitor.asked, taken.mock.calls.length]).toEqual([
       ["Loading it ends what runs here: a training."],
@@ -247,7 +249,6 @@ describe("a new version of the page", () => {
     visitor.arrives("yes");
     await loadNewVersion(app);
     expect(taken).toHaveBeenCalledTimes(1);
-    trainers.trainings[0]?.end({ cancelled: true, reason: null });
-    await over;
+    await end();
   });
 });

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { MOVES_ON, STANDS_STILL } from "../engine/engine.fake";
+import { MOVES_ON, STANDS_STILL } from "../engine/documents.fake";
 import { healthWords } from "./caption";
 
 const seen = { seconds: 10, parts: [{ name: "lower" }, { name: "upper" }], altered: false };

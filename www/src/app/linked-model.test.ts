@@ -1,33 +1,43 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
-import { packed } from "../links/packed-model";
-import { FakeProgram } from "../engine/whole-workers.fake";
+import { documentText, modelText } from "../engine/documents.fake";
+import { HeldWorkers } from "../engine/held.fake";
+import { packed, unpacked } from "../links/packed-model";
 import { FakeAddressBar } from "../settings/address.fake";
 import { visitor } from "../unsaved/choice-dialog.fake";
 import { App } from "./app";
 
-// Its marks are drawn with the DOM.
-vi.mock("../figures/model-style", () => ({ modelStyle: () => ({ name: "TMP" }) }));
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 
+const TMP = documentText("tmp");
+/** Two models in links: digits of their documents are left out. */
+const [link, tmpLink] = [await packed(modelText(9)), await packed(TMP)];
+const linked = await unpacked(link);
+
+let workers: HeldWorkers;
 let bar: FakeAddressBar;
 let app: App;
 let fetchedFirst: number;
 
+function load(fragment: string): void {
+  workers = new HeldWorkers(1);
+  workers.bring("walk-1");
+  bar = new FakeAddressBar(fragment);
+  app = new App(bar, false, workers);
+}
+
 /** Opens the page at an address. */
 async function open(fragment: string): Promise<void> {
-  bar = new FakeAddressBar(fragment);
-  app = new App(bar, false, new FakeProgram());
+  load(fragment);
   fetchedFirst = 0;
   await app.words.load("en");
   await app.start(
-    async () => started(new FakeEngine(), new FakeTrainers(1)),
+    async () => workers.started(),
     async () => {
       fetchedFirst += 1;
       return modelText(1);
     },
   );
-  await settled();
+  await workers.settled();
 }
 
 /** Follows a link, and waits until its model is open or refused. */
@@ -51,20 +61,18 @@ beforeEach(() => {
 
 describe("the address of the first visit", () => {
   it("opens the model in it, with its couplings, and asks for no other", async () => {
-    const link = await packed(modelText(9));
     await open(`alpha=0.1:50&packed=${link}`);
     const found = [app.model.openedText, app.model.couplings.alpha[0]?.[1], fetchedFirst];
-    expect(found).toEqual([modelText(9), 50, 0]);
+    expect(found).toEqual([linked, 50, 0]);
     expect(bar.read()).toContain(`packed=${link}`);
     expect(notices()).toEqual([]);
   });
 
   it("says what is wrong with a link, and opens the page's model without the link's couplings", async () => {
-    const link = await packed(modelText(9));
     await open(`alpha=0.1:50&latent=2&start=1&frame=5&packed=${link.slice(0, -1)}`);
     expect(notices()).toEqual([
       expect.stringMatching(
-        /^The model of this link was not opened: Expected \d+ characters of a packed model, found \d+: the link was cut off or changed on its way\.$/,
+        /^The model of this link was not opened: Expected [\d,]+ characters of a packed model, found [\d,]+: the link was cut off or changed on its way\.$/,
       ),
     ]);
     expect([app.model.openedText, app.model.couplings.altered, fetchedFirst]).toEqual([null, false, 1]);
@@ -73,7 +81,9 @@ describe("the address of the first visit", () => {
 
   it("repeats the words of the reader about a document that is no model", async () => {
     await open(`packed=${await packed('"no model"')}`);
-    expect(notices()).toEqual(["The model of this link was not opened: Expected a model."]);
+    expect(notices()).toEqual([
+      "The model of this link was not opened: At the top of the document: expected an object, found a text.",
+    ]);
     expect(app.model.openedText).toBe(null);
   });
 
@@ -88,7 +98,7 @@ describe("the address of the first visit", () => {
   it("shows the motion of a model without couplings in front of the page's own model", async () => {
     vi.stubGlobal(
       "fetch",
-      vi.fn(async () => new Response('{"kind":"tmp"}')),
+      vi.fn(async () => new Response(TMP)),
     );
     await open("model=walk.json");
     await vi.waitFor(() => expect(app.stage.content?.caption?.title).toBe("Made by a TMP"));
@@ -98,15 +108,14 @@ describe("the address of the first visit", () => {
   });
 
   it("shows a model without couplings that is in the link, which stays there until the model leaves", async () => {
-    const link = await packed('{"kind":"tmp"}');
-    await open(`frames=90&packed=${link}`);
+    await open(`frames=90&packed=${tmpLink}`);
     const title = () => app.stage.content?.caption?.title;
     await vi.waitFor(() =>
       expect([title(), app.stage.content?.motion.frames]).toEqual(["Made by a TMP", 90]),
     );
-    await vi.waitFor(() => expect(bar.read()).toBe(`frames=90&packed=${link}`));
+    await vi.waitFor(() => expect(bar.read()).toBe(`frames=90&packed=${tmpLink}`));
     // The visitor comes back from another view.
-    bar.pages.push(`tab=more&frames=90&packed=${link}`);
+    bar.pages.push(`tab=more&frames=90&packed=${tmpLink}`);
     app.followAddress();
     expect([title(), app.settings.values.panel]).toEqual(["Made by a TMP", "more"]);
     app.stage.endClip();
@@ -127,35 +136,34 @@ describe("the address of the first visit", () => {
 
 describe("a link that is followed", () => {
   it("opens its model also before the page is ready", async () => {
-    bar = new FakeAddressBar("alpha=0.1:3");
-    app = new App(bar, false, new FakeProgram());
+    load("alpha=0.1:3");
     await app.words.load("en");
     let begin = () => {};
     const engine = new Promise<void>((resolve) => {
       begin = resolve;
     });
     const over = app.start(
-      async () => engine.then(() => started(new FakeEngine(), new FakeTrainers(1))),
+      async () => engine.then(() => workers.started()),
       async () => modelText(1),
     );
-    bar.pages.push(`packed=${await packed(modelText(9))}`);
+    bar.pages.push(`packed=${link}`);
     app.followAddress();
     begin();
     await over;
-    expect([app.model.openedText, bar.read()]).toEqual([modelText(9), expect.stringContaining("packed=1.")]);
+    expect([app.model.openedText, bar.read()]).toEqual([linked, expect.stringContaining("packed=1.")]);
   });
 
   it("replaces the model and its couplings", async () => {
     await open("alpha=0.1:3");
     const left = vi.spyOn(app.training, "unchoose");
-    await follow(`packed=${await packed(modelText(9))}`);
-    expect([app.model.openedText, app.model.couplings.altered]).toEqual([modelText(9), false]);
+    await follow(`packed=${link}`);
+    expect([app.model.openedText, app.model.couplings.altered]).toEqual([linked, false]);
     expect(left).toHaveBeenCalled();
   });
 
   it("shows a model without couplings at its length, in front of the model as learned", async () => {
     await open("alpha=0.1:3");
-    bar.pages.push(`frames=120&packed=${await packed('{"kind":"tmp"}')}`);
+    bar.pages.push(`frames=120&packed=${tmpLink}`);
     app.followAddress();
     await vi.waitFor(() => expect(app.stage.content?.caption?.title).toBe("Made by a TMP"));
     expect(app.stage.content?.motion.frames).toBe(120);
@@ -165,8 +173,7 @@ describe("a link that is followed", () => {
 
   it("changes nothing when it is damaged", async () => {
     await open("alpha=0.1:3&view=compare");
-    const link = (await packed(modelText(9))).replace(/.{4}$/, "AAAA");
-    await follow(`alpha=0.1:7&packed=${link}`);
+    await follow(`alpha=0.1:7&packed=${link.replace(/.{4}$/, "AAAA")}`);
     expect(notices()).toEqual([expect.stringContaining("Expected a packed model whose check number fits")]);
     const found = [app.model.openedText, app.model.couplings.alpha[0]?.[1], app.settings.values.view];
     expect(found).toEqual([null, 3, "compare"]);
@@ -178,7 +185,7 @@ describe("a link that is followed", () => {
     await app.model.open(modelText(5));
     app.model.markMadeHere();
     visitor.arrives("keep");
-    bar.pages.push(`packed=${await packed(modelText(9))}`);
+    bar.pages.push(`packed=${link}`);
     app.followAddress();
     await vi.waitFor(() => expect(visitor.asked.length).toBeGreaterThan(0));
     await vi.waitFor(() => expect(bar.read()).not.toContain("packed"));
@@ -186,7 +193,7 @@ describe("a link that is followed", () => {
   });
 
   it("stays in the address until another model is opened", async () => {
-    await open(`packed=${await packed(modelText(9))}`);
+    await open(`packed=${link}`);
     app.model.couplings.set(0, 1, 20);
     await vi.waitFor(() => expect(bar.read()).toMatch(/alpha=0\.1:20&packed=1\./));
     expect(app.stateFragment).not.toContain("packed");
@@ -194,7 +201,7 @@ describe("a link that is followed", () => {
     await vi.waitFor(() => expect(bar.read()).not.toContain("packed"));
   });
 
-  it.each([new Response(modelText(7)), new Response('{"kind":"tmp"}'), new Response("", { status: 404 })])(
+  it.each([new Response(modelText(7)), new Response(TMP), new Response("", { status: 404 })])(
     "does not replace what the visitor opened while its file was on the way",
     async (answer) => {
       let arrive = (_: Response) => {};
@@ -205,10 +212,10 @@ describe("a link that is followed", () => {
       await open("");
       bar.pages.push("model=slow.json");
       app.followAddress();
-      await settled();
+      await workers.settled();
       await app.model.open(modelText(5));
       arrive(answer);
-      for (let k = 0; k < 5; k++) await settled();
+      for (let k = 0; k < 5; k++) await workers.settled();
       const { openedText } = app.model;
       expect([openedText, app.stage.content?.caption, notices()]).toEqual([modelText(5), undefined, []]);
     },
@@ -217,7 +224,7 @@ describe("a link that is followed", () => {
   it("does not replace the model while a training runs", async () => {
     await open("");
     vi.spyOn(app.training, "busy", "get").mockReturnValue(true);
-    bar.pages.push(`packed=${await packed(modelText(9))}`);
+    bar.pages.push(`packed=${link}`);
     app.followAddress();
     await vi.waitFor(() => expect(notices()).toEqual([expect.stringContaining("A training is running")]));
     expect(app.model.openedText).toBe(null);

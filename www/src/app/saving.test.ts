@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeEngine, FakeTrainers, modelHash, modelText, settled, started } from "../engine/engine.fake";
-import { FakeProgram } from "../engine/whole-workers.fake";
+import { documentText, modelText } from "../engine/documents.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { download } from "../ui/download";
 import { App } from "./app";
@@ -8,33 +8,38 @@ import { openFiles } from "./open-files";
 import { save } from "./saving";
 import { modelOnStage } from "./stage-model";
 
-// Its marks are drawn with the DOM.
-vi.mock("../figures/model-style", () => ({ modelStyle: () => ({ name: "TMP" }) }));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
-const OTHER = '{"kind":"map-gpdm"}';
+const OTHER = documentText("tmp");
+const own: unknown = JSON.parse(modelText(1));
 
 let app: App;
 beforeEach(async () => {
-  app = new App(new FakeAddressBar("alpha=0.1:50&frames=90"), false, new FakeProgram());
+  Object.assign(globalThis, { document: { documentElement: { lang: "" }, createElement: () => ({}) } });
+  const workers = new HeldWorkers();
+  workers.bring("walk-1");
+  app = new App(new FakeAddressBar("alpha=0.1:50&frames=90"), false, workers);
+  await app.words.load("en");
   await app.start(
-    async () => started(new FakeEngine(), new FakeTrainers(1)),
+    async () => workers.started(),
     async () => modelText(1),
   );
-  await settled();
+  await workers.settled();
   vi.mocked(download).mockClear();
 });
 
 const open = (name: string, text: string) => openFiles(app, [new File([text], name)], null);
 
-/** The files that were saved: names and texts. */
+/** The files that were saved: names and documents. */
 const files = () =>
-  Promise.all(vi.mocked(download).mock.calls.map(async ([name, blob]) => [name, await blob.text()]));
+  Promise.all(
+    vi.mocked(download).mock.calls.map(async ([name, blob]) => [name, JSON.parse(await blob.text())]),
+  );
 
 describe("the model on the stage", () => {
   it("is the page's own at first", async () => {
     const model = modelOnStage(app);
-    expect([model?.isOnHost, await model?.content()]).toEqual([true, modelText(1)]);
+    expect([model?.isOnHost, JSON.parse(await model!.content())]).toEqual([true, own]);
     expect(app.fragmentWith({ modelFile: "a.json" })).toBe("frames=90&model=a.json&alpha=0.1:50");
   });
 
@@ -44,7 +49,7 @@ describe("the model on the stage", () => {
     expect([model?.name, model?.isOnHost, await model?.content()]).toEqual(["walk.model.json", false, OTHER]);
     expect(app.fragmentWith({ packedModel: "1.2.AA" })).toBe("frames=90&packed=1.2.AA");
     app.stage.endClip();
-    expect(await modelOnStage(app)?.content()).toBe(modelText(1));
+    expect(JSON.parse(await modelOnStage(app)!.content())).toEqual(own);
   });
 });
 
@@ -53,10 +58,9 @@ describe("Save", () => {
     await save(app, "model");
     await open("walk.json", OTHER);
     await save(app, "model");
-    const id = modelHash(1).slice(0, 8);
     expect(await files()).toEqual([
-      [expect.stringMatching(new RegExp(`${id}\\.model\\.json$`)), modelText(1)],
-      ["walk.model.json", OTHER],
+      [expect.stringMatching(new RegExp(`${app.model.id}\\.model\\.json$`)), own],
+      ["walk.model.json", JSON.parse(OTHER)],
     ]);
   });
 

@@ -1,28 +1,33 @@
 import { expect, it } from "vitest";
-import { FakeEngine, modelHash, modelText } from "../engine/engine.fake";
+import { modelText } from "../engine/documents.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { motionAccount, positionsCsv, rolloutCsv } from "./stage-files";
 
+/** Two frames of a model, and its document. */
 async function rolledOut(alpha: number[][] | null = null) {
-  const engine = new FakeEngine();
-  const { model } = await engine.openModel(modelText(3, 2), 300);
+  const { engine } = new HeldWorkers().started();
+  const { model } = await engine.openModel(modelText(3, 2), 60);
   const rollout = await engine.rollout({ frames: 2, sequence: 1, alpha, reading: "re-inferred" });
-  return {
-    model,
-    rollout: { ...rollout, latents: [new Float64Array([1, 2, 3, 4.5]), new Float64Array([-1, 0, 0.5, 7])] },
-  };
+  return { model, rollout, text: await engine.modelJson() };
 }
 
 it("writes a row a frame, with the latents of every part and the weights of every expert", async () => {
   const { model, rollout } = await rolledOut([
-    [0.5, 0.25],
-    [0.5, 0.75],
+    [1, 8],
+    [4, 1],
   ]);
+  const [header, ...rows] = rolloutCsv(model, rollout).split("\r\n");
   const weights = "weight_lower_lower,weight_lower_upper,weight_upper_lower,weight_upper_upper";
-  expect(rolloutCsv(model, rollout)).toBe(
-    `frame,time,lower_0,lower_1,upper_0,upper_1,${weights}\r\n` +
-      "0,0,1,2,-1,0,0.5,0.25,0.5,0.75\r\n" +
-      `1,${1 / 30},3,4.5,0.5,7,0.5,0.25,0.5,0.75\r\n`,
+  expect(header).toBe(`frame,time,lower_0,lower_1,upper_0,upper_1,${weights}`);
+  expect(rollout.weights.flat()).toEqual(
+    [0.8, 1 / 9, 0.2, 8 / 9].map((weight) => expect.closeTo(weight, 12)),
   );
+  const latents = (frame: number) =>
+    rollout.latents.flatMap((part) => [...part.slice(2 * frame, 2 * frame + 2)]);
+  expect(rows).toEqual([
+    ...[0, 1].map((frame) => [frame, frame / 2, ...latents(frame), ...rollout.weights.flat()].join()),
+    "",
+  ]);
 });
 
 it("tells how a motion was made: model, clips, seed, couplings, reading, start", async () => {
@@ -30,12 +35,14 @@ it("tells how a motion was made: model, clips, seed, couplings, reading, start",
     [1, 8],
     [4, 1],
   ];
-  const { model, rollout } = await rolledOut(alpha);
+  const { model, rollout, text } = await rolledOut(alpha);
+  const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", new TextEncoder().encode(text)));
+  const sha256 = Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("");
   const account = JSON.parse(motionAccount(model, rollout, { version: "1.2.3", file: "a.bvh" }));
   expect(account).toMatchObject({
     motion: "a.bvh",
     program: "vCGPDM playground 1.2.3",
-    model: { sha256: modelHash(3), trained_by: "fake", seed: 3 },
+    model: { sha256, trained_by: "vcgpdm 0.1.0", seed: 3 },
     alpha,
     alpha_learned: model.info.alpha,
     reading: "re-inferred",

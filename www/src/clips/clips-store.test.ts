@@ -1,31 +1,17 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { FakeEngine, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { ClipsStore } from "./clips-store";
+import { HeldLab } from "../couplings/lab.fake";
+import { bvhText } from "../engine/documents.fake";
 
-let engine: FakeEngine;
-let stage: StageStore;
-let clips: ClipsStore;
+let { workers, stage, clips } = new HeldLab();
 beforeEach(async () => {
-  engine = new FakeEngine();
-  const settings = new SettingsStore(new FakeAddressBar());
-  const store = new EngineStore();
-  stage = new StageStore(new Playback(settings));
-  clips = new ClipsStore(store, settings, stage);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => Promise.resolve(),
-  );
+  const lab = new HeldLab();
+  ({ workers, stage, clips } = lab);
+  workers.bring("walk-1", "walk-2", "walk-wave-1");
+  await lab.start();
   await clips.loadSamples();
-  const motion = { positions: new Float32Array(60), frames: 10, nodes: 2, frameTime: 0.1 };
-  stage.showModel({ kind: "first", figure: { nodes: [] }, joints: [], parts: [], motion });
 });
 
-const file = (name: string, text = "HIERARCHY") => new File([text], name);
+const file = (name: string, text = bvhText()) => new File([text], name);
 const tickedKeys = () => clips.ticked.map(({ key }) => key);
 
 describe("the clips that come with the page", () => {
@@ -34,14 +20,14 @@ describe("the clips that come with the page", () => {
     expect(clips.all.map(({ key, ticked }) => [key, ticked])).toEqual([
       ["made-walk-1", true],
       ["made-walk-2", true],
-      ["made-wave-1", false],
+      ["made-walk-wave-1", false],
     ]);
   });
 
   it("of passing a bottle come when asked for, ticked alone, and again in a later visit", async () => {
     await clips.loadMade("pass a bottle");
-    expect(tickedKeys()).toEqual(["made-bottle-1", "made-bottle-2"]);
-    expect([stage.clip, clips.all.length]).toEqual(["made-bottle-1", 5]);
+    expect(tickedKeys()).toEqual(Array.from({ length: 10 }, (_, k) => `made-bottle-${k + 1}`));
+    expect([stage.clip, clips.all.length]).toEqual(["made-bottle-1", 13]);
     const stored = clips.stored.find(({ key }) => key === "made-bottle-2")!;
     await clips.remove("made-bottle-2");
     expect(await clips.takeUp(stored)).toBe(clips.all.at(-1)?.loaded.id);
@@ -60,8 +46,7 @@ describe("the clips that come with the page", () => {
   });
 
   it("are unticked when a clip of another body is ticked that a model made, and the other way round", async () => {
-    engine.bodies.push(["Hips", "LeftArm"]);
-    await clips.addModelled("Walk 1", "HIERARCHY");
+    await clips.addModelled("Walk 1", bvhText(["Hips", "LeftArm"]));
     expect(tickedKeys()).toEqual(["made-walk-1", "made-walk-2"]);
     await clips.tick("model-4", true);
     expect(tickedKeys()).toEqual(["model-4"]);
@@ -81,7 +66,9 @@ describe("the clips that come with the page", () => {
   });
 
   it("stay as they are when a file cannot be read", async () => {
-    await expect(clips.open(file("empty.bvh", ""), true)).rejects.toThrow("the file is empty");
+    await expect(clips.open(file("empty.bvh", ""), true)).rejects.toThrow(
+      "expected HIERARCHY, found the end of the file",
+    );
     expect(tickedKeys()).toEqual(["made-walk-1", "made-walk-2"]);
     expect(stage.clip).toBeNull();
   });
@@ -93,7 +80,7 @@ describe("a clip on the stage", () => {
   it("is shown with the frames that it is cut to, at least ten", () => {
     clips.cut("own-4", 5.2, 40);
     expect(stage.content?.motion.frames).toBe(35);
-    expect(stage.content?.motion.positions).toHaveLength(35 * 6);
+    expect(stage.content?.motion.positions).toHaveLength(35 * 9);
     clips.cut("own-4", 55, 2);
     expect([clips.ticked[0]?.first, clips.ticked[0]?.end]).toEqual([50, 60]);
     clips.cut("own-4", Number.NaN, 20);
@@ -114,7 +101,7 @@ describe("a clip on the stage", () => {
 
   it("leaves the stage to the model when it is removed", async () => {
     await clips.remove("own-4");
-    expect([stage.clip, stage.content?.kind]).toEqual([null, "first"]);
+    expect([stage.clip, stage.content?.kind]).toEqual([null, "model"]);
     expect(clips.all.map(({ key }) => key)).not.toContain("own-4");
   });
 
@@ -161,34 +148,38 @@ describe("the axis that points up", () => {
 
 describe("ticked clips that do not go together", () => {
   it("are named as long as they are ticked", async () => {
-    engine.odd.add(3);
-    await clips.tick("made-wave-1", true);
-    expect(clips.clash).toBe("their bodies differ");
-    await clips.tick("made-wave-1", false);
+    await clips.open(file("mine.bvh"), false);
+    await clips.tick("own-4", true);
+    expect(clips.clash).toMatch(/^mine cannot be trained together with walk-1 .*expected 21 joints, found 2/);
+    await clips.tick("own-4", false);
     expect(clips.clash).toBe("");
   });
 
   it("are judged by the last tick, also when an earlier answer comes later", async () => {
-    engine.holding.add("checkTogether");
-    void clips.tick("made-wave-1", true);
-    void clips.tick("made-wave-1", false);
-    const [older, newer] = engine.held;
-    newer?.end();
-    await settled();
+    workers.hold("checkTogether");
+    void clips.tick("made-walk-wave-1", true);
+    void clips.tick("made-walk-wave-1", false);
+    const [older, newer] = workers.held("checkTogether");
+    newer?.go();
+    await workers.settled();
     older?.fail(new Error("their bodies differ"));
-    await settled();
+    await workers.settled();
     expect(clips.clash).toBe("");
   });
 });
 
 describe("clips of one skeleton with other bones", () => {
   beforeEach(async () => {
-    engine.longer.add(2);
+    await clips.open(file("mine.bvh"), true);
+    await clips.open(file("longer.bvh", bvhText(undefined, 60)), false);
     await clips.checkClash();
   });
 
   it("go together with the bones of the first, until each has its own again", async () => {
-    expect([clips.clash, clips.bonesClash]).toEqual(["their bones differ", true]);
+    expect([clips.clash, clips.bonesClash]).toEqual([
+      expect.stringMatching(/^longer .*offset differs/),
+      true,
+    ]);
     await clips.setFirstBones(true);
     expect([clips.clash, clips.bonesClash, clips.firstBones]).toEqual(["", false, true]);
     expect(clips.toTrainOn.map(({ firstBones }) => firstBones)).toEqual([undefined, true]);
@@ -197,8 +188,8 @@ describe("clips of one skeleton with other bones", () => {
   });
 
   it("differ from clips of other joints", async () => {
-    engine.odd.add(1);
+    await clips.open(file("other.bvh", bvhText(["Hips", "LeftArm"])), false);
     await clips.setFirstBones(true);
-    expect([clips.clash, clips.bonesClash]).toEqual(["their bodies differ", false]);
+    expect([clips.clash, clips.bonesClash]).toEqual([expect.stringMatching(/^other .*"LeftArm"$/), false]);
   });
 });

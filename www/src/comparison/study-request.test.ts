@@ -1,42 +1,45 @@
 import { expect, it } from "vitest";
-import { clip, evaluated, resultsOf } from "../engine/whole-workers.fake";
-import type { Job } from "../engine/whole-protocol";
-import { keepMotions, newEntry } from "./comparison-entry";
-import type { ComparisonRequest } from "./comparison-request";
+import { HeldWorkers } from "../engine/held.fake";
+import type { Evaluated, Job } from "../engine/whole-protocol";
+import { initialSettings } from "../settings/settings";
+import { keepMotions, newEntry, withResult } from "./comparison-entry";
+import { type ComparisonRequest, planOf } from "./comparison-request";
+import { smallClip } from "./small-clip.fake";
 import { studyRequestOf } from "./study-request";
 
-const setting = {
-  trials: [clip(1), clip(2)].map(({ id }) => ({ name: `clip ${id}`, sha256: "", piece: null })),
-};
-const request = { clips: [clip(1), clip(2)], titles: ["one", "two"], settings: { framesPerSecond: 30 } };
+const clips = [smallClip(1), smallClip(2)];
+const settings = { parts: [{ name: "whole", joints: [0, 1] }], framesPerSecond: 10 };
+const request = { clips, titles: ["one", "two"], settings } as unknown as ComparisonRequest;
+const chosen = { latent: 1, ips: [2], heldOut: 1, seeds: 2, comparedIterations: 5 };
+const plan = planOf({ ...initialSettings(), ...chosen, models: ["vgpdm"] });
 
-function entryOf(jobs: readonly Job[], objectives: readonly number[]) {
-  const results = resultsOf({ ...setting, parts: [], framesPerSecond: 30, startFrames: 5 }, jobs);
-  results.finished.forEach((finished, i) => {
-    finished.outcome = { ...evaluated.outcome, objective: objectives[i] ?? 0 };
-  });
-  return newEntry(request as unknown as ComparisonRequest, results);
-}
-const job = (seed: number, primitives: number): Job => ({
-  ...{ candidate: { model: "tmp", primitives }, heldOut: 1, trainingTrials: 1, seed },
+/** Two trainings on one trial that predict the other, and their results. */
+const { results, trained } = await new HeldWorkers().desk.run(async (worker) => {
+  const { jobs, ...planned } = await worker.planComparison(clips, settings, plan, null);
+  const trained: { id: string; job: Job; found: Evaluated }[] = [];
+  let { results } = planned;
+  for (const { id, job } of jobs) {
+    const found = await worker.evaluate({ ...job, clips, settings }, () => {}, new AbortController().signal);
+    trained.push({ id, job, found: found! });
+    results = withResult(results, (await worker.addOutcome(results.text, job, found!.outcome))!);
+  }
+  return { results, trained };
 });
 
 it("has every model that was trained in this visit, and the recorded trial", () => {
-  const jobs = [job(0, 3), job(1, 3)];
-  const entry = entryOf(jobs, [5, 7]);
+  const entry = newEntry(request, results);
   expect(studyRequestOf(entry)).toBe(null);
-  entry.results.finished.forEach(({ id, job }) => keepMotions(entry, id, job, evaluated));
-  const request = studyRequestOf(entry);
-  expect(request?.generated.map(({ seed, trial, name }) => [seed, trial, name])).toEqual([
+  for (const { id, job, found } of trained) keepMotions(entry, id, job, found);
+  const study = studyRequestOf(entry);
+  expect(study?.generated.map(({ seed, trial, name }) => [seed, trial, name])).toEqual([
     [0, 1, "two"],
     [1, 1, "two"],
   ]);
-  expect(request?.generated.map(({ outcome }) => outcome.objective)).toEqual([5, 7]);
-  expect(request?.natural.map(({ trial, name }) => [trial, name])).toEqual([[1, "two"]]);
-  expect(request?.body.id).toBe(1);
+  expect(study?.generated.map(({ outcome }) => outcome)).toEqual(trained.map(({ found }) => found.outcome));
+  expect(study?.natural.map(({ trial, name }) => [trial, name])).toEqual([[1, "two"]]);
+  expect(study?.body.id).toBe(1);
 });
 
 it("is impossible for results from a file, which have no movements", () => {
-  const { results } = entryOf([job(0, 3)], [1]);
   expect(studyRequestOf(newEntry(null, results))).toBe(null);
 });

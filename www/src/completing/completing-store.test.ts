@@ -1,49 +1,46 @@
 import { beforeEach, expect, it } from "vitest";
-import { FakeLab } from "../couplings/lab.fake";
-import { settled } from "../engine/engine.fake";
-import { FakeProgram } from "../engine/whole-workers.fake";
+import { HeldLab } from "../couplings/lab.fake";
 import { loadCompleting } from "../words/sections";
 import { WordsStore } from "../words/words";
 import { CompletingStore } from "./completing-store";
 import { Recordings } from "./recordings";
 
-let { model, stage, notices } = new FakeLab();
-let whole: FakeProgram;
+let { workers, store, model, clips, stage, notices } = new HeldLab();
 let completing: CompletingStore;
 beforeEach(async () => {
   await loadCompleting(new WordsStore());
-  const lab = new FakeLab();
-  ({ model, stage, notices } = lab);
-  whole = new FakeProgram();
-  completing = new CompletingStore(new Recordings(lab.store, model, lab.clips, whole), model, stage, notices);
+  const lab = new HeldLab();
+  ({ workers, store, model, clips, stage, notices } = lab);
+  const recordings = new Recordings(lab.store, model, clips, workers);
+  completing = new CompletingStore(recordings, model, stage, notices);
   await lab.start();
 });
 
+const asked = () => workers.asked("complete").map(([request]) => request);
 const kinds = () => [stage.content?.kind, stage.ghost !== null, completing.scores?.length ?? 0];
 
 it("shows a recording that the model has completed, with the recording as an outline", async () => {
   completing.show();
-  await settled();
-  await settled();
+  await workers.settled();
   expect(kinds()).toEqual(["completed", true, 1]);
-  expect(whole.completions.at(-1)).toMatchObject({ until: null, alpha: null });
+  expect(asked().at(-1)).toMatchObject({ until: null, alpha: null });
+  expect(stage.ghost?.positions).not.toEqual(stage.content?.motion.positions);
   completing.hide();
   expect(kinds()).toEqual(["model", false, 0]);
 });
 
 it("asks again for other couplings, another part and an earlier end, and once for each", async () => {
   completing.show();
-  await settled();
+  await workers.settled();
   completing.give(1);
-  await settled();
+  await workers.settled();
   const [, last] = completing.times;
   completing.observeUntil(last / 2);
-  await settled();
+  await workers.settled();
   completing.observeUntil(last / 2);
   model.couplings.set(0, 1, 2);
-  await settled();
-  await settled();
-  expect(whole.completions.map(({ given, until, alpha }) => [given, until, alpha?.[0]?.[1]])).toEqual([
+  await workers.settled();
+  expect(asked().map(({ given, until, alpha }) => [given, until, alpha?.[0]?.[1]])).toEqual([
     [model.model?.info.parts[0]?.name, null, undefined],
     [model.model?.info.parts[1]?.name, null, undefined],
     [model.model?.info.parts[1]?.name, last / 2, undefined],
@@ -54,10 +51,10 @@ it("asks again for other couplings, another part and an earlier end, and once fo
 });
 
 it("ends with a notice when the recording is refused", async () => {
-  whole.failures.push(new Error("the body differs"));
+  const bvh = await store.engine!.rolloutBvh(model.rolloutRequest());
+  await clips.addModelled("tall", bvh.replace(/OFFSET .*/g, "OFFSET 0 20 0"));
   completing.show();
-  await settled();
-  await settled();
-  const found = [stage.content?.kind, completing.shown, notices.all.at(-1)?.text];
-  expect(found).toEqual(["model", false, "the body differs"]);
+  await workers.settled();
+  expect([stage.content?.kind, completing.shown]).toEqual(["model", false]);
+  expect(notices.all.at(-1)?.text).toMatch(/^tall is not of the body of the model/);
 });

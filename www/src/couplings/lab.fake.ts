@@ -1,7 +1,8 @@
-// For tests: the Lab's stores round a model, which a fake engine computes.
+// For tests: the Lab's stores round a model, with held workers.
 import { ClipsStore } from "../clips/clips-store";
-import { FakeEngine, FakeTrainers, modelText, started } from "../engine/engine.fake";
+import { modelText } from "../engine/documents.fake";
 import { EngineStore } from "../engine/engine-store";
+import { HeldWorkers } from "../engine/held.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
@@ -9,7 +10,7 @@ import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
 import { ModelStore } from "./model-store";
 
-export class FakeLab {
+export class HeldLab {
   readonly bar: FakeAddressBar;
   readonly store = new EngineStore();
   readonly settings: SettingsStore;
@@ -21,7 +22,7 @@ export class FakeLab {
 
   constructor(
     fragment = "",
-    readonly engine = new FakeEngine(),
+    readonly workers = new HeldWorkers(),
   ) {
     this.bar = new FakeAddressBar(fragment);
     this.settings = new SettingsStore(this.bar);
@@ -32,12 +33,8 @@ export class FakeLab {
   }
 
   /** Opens a model, after the stores of a test have begun to listen. */
-  async start(
-    text = modelText(1),
-    options?: Parameters<ModelStore["open"]>[1],
-    trainers = new FakeTrainers(1),
-  ): Promise<void> {
-    const programs = () => Promise.resolve(started(this.engine, trainers));
+  async start(text = modelText(1), options?: Parameters<ModelStore["open"]>[1]): Promise<void> {
+    const programs = () => Promise.resolve(this.workers.started());
     await this.store.start(programs, () => this.model.open(text, options));
   }
 }

@@ -1,21 +1,31 @@
+import { Model } from "vcgpdm/player";
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeLab } from "./lab.fake";
-import { modelHash, modelText, settled } from "../engine/engine.fake";
+import { HeldLab } from "./lab.fake";
+import { modelText } from "../engine/documents.fake";
 import { readSettings, writeSettings } from "../settings/settings";
 import { presetWords, START_PRESETS } from "./presets";
 
-let { engine, settings, stage, notices, model, bar } = new FakeLab();
+let { workers, settings, stage, notices, model, bar } = new HeldLab();
 
 async function begin(fragment = "", sequences = 1): Promise<void> {
-  const lab = new FakeLab(fragment);
-  ({ engine, settings, stage, notices, model, bar } = lab);
+  const lab = new HeldLab(fragment);
+  ({ workers, settings, stage, notices, model, bar } = lab);
   await lab.start(modelText(1, sequences), { couplings: "link", clip: false });
-  await settled();
+  await workers.settled();
 }
 beforeEach(() => begin());
 
-/** The weight of a coupling in the rollout on the stage. */
-const weightOf = (source: number, target: number) => model.rollout?.weights[source]?.[target];
+/** The start of the hash of a model. */
+const id = (seed: number, sequences = 1) => Model.fromJson(modelText(seed, sequences)).sha256().slice(0, 8);
+const rollouts = () => workers.asked("rollout").map(([request]) => request);
+const held = () => workers.held("rollout");
+
+/** A coupling of the rollout on the stage, whose weights follow from it. */
+function rolledOut(source: number, target: number): number | undefined {
+  const { request, weights } = model.rollout!;
+  expect(weights[source]?.[target]).toBeCloseTo(model.couplings.weight(source, target), 12);
+  return (request.alpha ?? model.couplings.learned)[source]?.[target];
+}
 
 const clip = () => ({
   kind: "clip" as const,
@@ -28,59 +38,58 @@ const clip = () => ({
 
 describe("a coupling", () => {
   it("asks for one rollout with the exact value, before the address is written", async () => {
-    const lab = new FakeLab();
+    const lab = new HeldLab();
     const write = vi.spyOn(lab.bar, "write");
-    ({ settings, model, engine } = lab);
+    ({ settings, model, workers } = lab);
     await lab.start();
-    const before = engine.rollouts.length;
     const listener = vi.fn(() => expect(write).not.toHaveBeenCalled());
     model.on(listener);
     model.couplings.set(0, 1, 7.123456789);
     expect(listener).toHaveBeenCalled();
-    const alpha = [
-      [1, 7.123456789],
-      [4, 1],
-    ];
-    expect(engine.rollouts.slice(before)).toEqual([
-      { frames: 300, sequence: 0, alpha, reading: "re-inferred" },
-    ]);
-    await settled();
-    expect([model.couplings.alphaOf(0, 1), weightOf(0, 1), model.couplings.learnedAlpha(0, 1)]).toEqual([
-      7.123456789, 7.123456789, 4,
+    const learned = model.model!.info.alpha;
+    const alpha = [[learned[0]![0], 7.123456789], learned[1]];
+    await workers.settled();
+    expect(rollouts()).toEqual([{ frames: 300, sequence: 0, alpha, reading: "re-inferred" }]);
+    expect([model.couplings.alphaOf(0, 1), rolledOut(0, 1), model.couplings.learnedAlpha(0, 1)]).toEqual([
+      7.123456789,
+      7.123456789,
+      learned[0]![1],
     ]);
   });
 
   it("changes its weight before the motion has arrived", () => {
-    engine.holding.add("rollout");
-    expect(model.couplings.weightsInto(1)).toEqual([0.2, 0.8]);
-    model.couplings.set(0, 1, 1);
+    workers.hold("rollout");
+    const into = model.couplings.weightsInto(1);
+    expect(into).toEqual(model.rollout!.weights.map((row) => expect.closeTo(row[1]!, 12)));
+    model.couplings.set(0, 1, model.couplings.alphaOf(1, 1));
     expect(model.couplings.weight(0, 1)).toBe(0.5);
   });
 
   it("drops older changes that still wait", async () => {
-    engine.holding.add("rollout");
+    workers.hold("rollout");
     for (let i = 1; i <= 20; i++) model.couplings.set(0, 1, 10 + i);
-    expect(engine.held).toHaveLength(1);
-    engine.held[0]?.end();
-    await settled();
-    expect(engine.held).toHaveLength(2);
-    engine.held[1]?.end();
-    await settled();
-    expect(model.rollout?.request.alpha?.[0]?.[1]).toBe(30);
-    expect(engine.held).toHaveLength(2);
+    for (let count = 1; count <= 2; count++) {
+      await workers.settled();
+      expect(held()).toHaveLength(count);
+      held()[count - 1]!.go();
+    }
+    await workers.settled();
+    expect([rolledOut(0, 1), held().length]).toEqual([30, 2]);
   });
 
   it("shows the motion as learned as a ghost while it differs", async () => {
     model.couplings.set(0, 1, 8);
     expect(stage.ghost).toBe(model.learned?.motion);
+    await workers.settled();
+    expect(model.rollout?.motion.positions).not.toEqual(stage.ghost?.positions);
     expect([
       model.couplings.altered,
       model.couplings.isChanged(0, 1),
       model.couplings.isChanged(1, 0),
     ]).toEqual([true, true, false]);
-    model.couplings.set(0, 1, 4.01);
+    model.couplings.set(0, 1, 1.002 * model.couplings.learnedAlpha(0, 1));
     expect([model.couplings.altered, stage.ghost]).toEqual([false, null]);
-    await settled();
+    await workers.settled();
     expect(model.rollout?.request.alpha).toBeNull();
   });
 
@@ -100,17 +109,18 @@ describe("a coupling", () => {
   });
 
   it("reports a failed rollout, and computes the next one", async () => {
-    engine.holding.add("rollout");
+    workers.hold("rollout");
     model.couplings.set(0, 1, 8);
-    engine.held[0]?.fail(new Error("not positive definite"));
-    await settled();
+    await workers.settled();
+    held()[0]!.fail(new Error("not positive definite"));
+    await workers.settled();
     expect(notices.all.map(({ title, text }) => `${title}: ${text}`)).toEqual([
       "This rollout failed: not positive definite",
     ]);
-    engine.holding.clear();
+    workers.letGo("rollout");
     model.couplings.set(0, 1, 9);
-    await settled();
-    expect(weightOf(0, 1)).toBe(9);
+    await workers.settled();
+    expect(rolledOut(0, 1)).toBe(9);
   });
 });
 
@@ -120,11 +130,12 @@ describe("presets", () => {
     expect(model.preset?.id).toBe("as-learned");
     model.couplings.setReading("as-learned");
     stage.showClip(clip());
-    const before = engine.rollouts.length;
+    await workers.settled();
+    const before = rollouts().length;
     model.takePreset(model.presets.find(({ id }) => id === "1-alone")!);
-    await settled();
+    await workers.settled();
     expect([model.preset?.id, settings.values.reading, stage.clip]).toEqual(["1-alone", "re-inferred", null]);
-    expect(engine.rollouts.length - before).toBe(1);
+    expect(rollouts().length - before).toBe(1);
     model.couplings.setReading("as-learned");
     expect(model.preset).toBeNull();
   });
@@ -163,11 +174,11 @@ describe("another model", () => {
     expect(bar.pages).toHaveLength(1);
     model.couplings.set(0, 1, 8);
     await model.open(modelText(2));
-    expect(bar.pages).toEqual([`model=${modelHash(3).slice(0, 8)}&alpha=0.1:8`, "view=play"]);
+    expect(bar.pages).toEqual([`model=${id(3)}&alpha=0.1:8`, "view=play"]);
     bar.pages.pop();
     settings.readAddress();
     model.restart();
-    expect([model.couplings.altered, model.link.model]).toEqual([false, modelHash(3).slice(0, 8)]);
+    expect([model.couplings.altered, model.link.model]).toEqual([false, id(3)]);
     await model.open(modelText(3));
     expect(model.couplings.alphaOf(0, 1)).toBe(8);
   });
@@ -176,35 +187,39 @@ describe("another model", () => {
     model.couplings.set(0, 1, 8);
     stage.showClip(clip());
     await model.open(modelText(2), { couplings: "visitor", clip: true });
-    await settled();
-    expect([model.couplings.alphaOf(0, 1), weightOf(0, 1), stage.clip]).toEqual([8, 8, "a"]);
+    await workers.settled();
+    expect([model.couplings.alphaOf(0, 1), rolledOut(0, 1), stage.clip]).toEqual([8, 8, "a"]);
     expect(model.learned?.request.alpha).toBeNull();
   });
 
   it("drops the answer to a rollout of the model before", async () => {
-    engine.holding.add("rollout");
+    workers.hold("rollout");
     model.couplings.set(0, 1, 8);
+    await workers.settled();
+    const end = await held()[0]!.late();
     await model.open(modelText(2));
-    const rollout = model.rollout;
-    engine.held[0]?.end();
-    await settled();
+    const { rollout } = model;
+    end();
+    await workers.settled();
     expect(model.rollout).toBe(rollout);
 
     // The worker has opened a third model, and its answer has not arrived.
-    engine.holding.add("openModel");
-    engine.held.length = 0;
+    workers.hold("openModel");
     const opened = model.open(modelText(3));
+    await workers.settled();
+    const answer = await workers.held("openModel")[0]!.late();
     model.couplings.set(0, 1, 9);
-    engine.held.find(({ name }) => name === "rollout")?.end();
-    await settled();
+    await workers.settled();
+    held()[1]!.go();
+    await workers.settled();
     expect(model.rollout).toBe(rollout);
-    engine.held.find(({ name }) => name === "openModel")?.end();
+    answer();
     await opened;
     expect(model.model?.info.provenance.settings.seed).toBe(3);
   });
 
   it("keeps the model before where the new one cannot be opened", async () => {
-    await expect(model.open("no model")).rejects.toThrow("expected a model");
+    await expect(model.open("no model")).rejects.toThrow(/^expected a model as JSON/);
     expect(model.model?.info.provenance.settings.seed).toBe(1);
   });
 });
@@ -213,7 +228,7 @@ describe("the start", () => {
   it("can be in another sequence, for the ghost too", async () => {
     await begin("alpha=0.1:8", 3);
     model.setStart(2);
-    await settled();
+    await workers.settled();
     expect([model.learned?.request.sequence, model.rollout?.request.sequence]).toEqual([2, 2]);
     expect([model.learned?.request.alpha, model.rollout?.request.alpha?.[0]?.[1]]).toEqual([null, 8]);
     expect(stage.ghost).toBe(model.learned?.motion);
@@ -221,24 +236,28 @@ describe("the start", () => {
 
   it("needs only one rollout where no coupling differs", async () => {
     await begin("", 3);
-    const before = engine.rollouts.length;
+    const before = rollouts().length;
     model.setStart(1);
-    await settled();
-    expect(engine.rollouts.length - before).toBe(1);
+    await workers.settled();
+    expect(rollouts().length - before).toBe(1);
     expect(model.rollout).toBe(model.learned);
     expect(model.rollout?.request.sequence).toBe(1);
   });
 
   it("can be any frame whose latents the model's file has", async () => {
-    await begin("", 2);
-    model.setStart(1, 40);
-    await settled();
-    expect(engine.rollouts.at(-1)).toMatchObject({ sequence: 1, frame: 40 });
-    expect(model.learned?.request.frame).toBe(40);
+    const document = JSON.parse(modelText(1, 2)) as { sequences: { start: number[][][] }[] };
+    const next = ([first]: number[][]) => [1, 2, 3].map((factor) => first!.map((value) => factor * value));
+    document.sequences[1]!.start = document.sequences[1]!.start.map(next);
+    await model.open(JSON.stringify(document));
+    model.setStart(1, 1);
+    await workers.settled();
+    expect(rollouts().at(-1)).toMatchObject({ sequence: 1, frame: 1 });
+    const [, start] = document.sequences[1]!.start[0]!;
+    expect([...model.learned!.latents[0]!.slice(0, 2)]).toEqual(start);
     // A link has the frame and the model.
-    expect([settings.values.startFrame, settings.values.model]).toEqual([40, model.id]);
+    expect([settings.values.startFrame, settings.values.model]).toEqual([1, model.id]);
     model.setStart(1, 500);
-    expect(model.rolloutRequest().frame).toBe(88);
+    expect(model.rolloutRequest().frame).toBe(2);
     model.setStart(0);
     expect(model.rolloutRequest()).toEqual({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
   });
@@ -252,23 +271,25 @@ describe("the start", () => {
 
   it("of another model drops a rollout that was under way", async () => {
     await begin("", 3);
-    engine.holding.add("rollout");
+    workers.hold("rollout");
     model.setStart(1);
+    await workers.settled();
+    const end = await held()[0]!.late();
     await model.open(modelText(2, 3));
-    engine.held[0]?.end();
-    await settled();
+    end();
+    await workers.settled();
     expect(model.learned?.request.sequence).toBe(0);
   });
 });
 
 it("takes couplings from a changed address", async () => {
   await begin("alpha=0.1:50");
-  expect(weightOf(0, 1)).toBe(50);
+  expect(rolledOut(0, 1)).toBe(50);
   bar.pages.push("alpha=1.0:3");
   settings.readAddress();
   model.restart();
-  await settled();
-  expect([weightOf(0, 1), weightOf(1, 0)]).toEqual([4, 3]);
+  await workers.settled();
+  expect([rolledOut(0, 1), rolledOut(1, 0)]).toEqual([model.couplings.learnedAlpha(0, 1), 3]);
   bar.pages.push("alpha=2.2:3");
   settings.readAddress();
   model.restart();
@@ -276,29 +297,27 @@ it("takes couplings from a changed address", async () => {
 });
 
 describe("a link", () => {
-  const id = (seed: number) => modelHash(seed).slice(0, 8);
-
   it("names the model whose couplings or start it carries, and no model otherwise", async () => {
     await begin("", 3);
     expect(settings.values.model).toBe("");
     model.couplings.set(0, 1, 8);
-    expect(settings.values.model).toBe(id(1));
+    expect(settings.values.model).toBe(id(1, 3));
     model.couplings.resetAll();
     expect(settings.values.model).toBe("");
     model.setStart(1);
-    expect(settings.values.model).toBe(id(1));
+    expect(settings.values.model).toBe(id(1, 3));
   });
 
   it("to another model changes nothing until that model is opened", async () => {
-    await begin(`model=${id(2)}&alpha=0.1:8&start=1`, 3);
-    expect([model.couplings.altered, settings.values.start, model.link.model]).toEqual([false, 0, id(2)]);
+    await begin(`model=${id(2, 3)}&alpha=0.1:8&start=1`, 3);
+    expect([model.couplings.altered, settings.values.start, model.link.model]).toEqual([false, 0, id(2, 3)]);
     await model.open(modelText(3, 3));
-    expect([model.couplings.altered, model.link.model]).toEqual([false, id(2)]);
+    expect([model.couplings.altered, model.link.model]).toEqual([false, id(2, 3)]);
     await model.open(modelText(2, 3));
-    await settled();
+    await workers.settled();
     const found = [model.couplings.alphaOf(0, 1), model.link.model, model.rollout?.request.sequence];
     expect(found).toEqual([8, null, 1]);
-    expect(settings.values.model).toBe(id(2));
+    expect(settings.values.model).toBe(id(2, 3));
   });
 
   it("stays in the address while it waits, so that a reload does not lose it", async () => {
@@ -323,26 +342,26 @@ describe("a link", () => {
 
   it("to this model, or without the name of a model, brings its couplings", async () => {
     await begin(`model=${id(1)}&alpha=0.1:8`);
-    expect([weightOf(0, 1), model.link.model]).toEqual([8, null]);
+    expect([rolledOut(0, 1), model.link.model]).toEqual([8, null]);
     await begin("alpha=0.1:8");
-    expect([weightOf(0, 1), settings.values.model]).toEqual([8, id(1)]);
+    expect([rolledOut(0, 1), settings.values.model]).toEqual([8, id(1)]);
   });
 
   it("keeps the visitor's couplings from one model of a training to the next", async () => {
     model.couplings.set(0, 1, 8);
     await model.open(modelText(2), { couplings: "visitor", clip: false });
-    await settled();
+    await workers.settled();
     expect([model.couplings.alphaOf(0, 1), settings.values.model]).toEqual([8, id(2)]);
   });
 });
 
 describe("samples", () => {
   it("play in place of the mean, another one in each loop, under the couplings now", async () => {
-    const seeds = () => engine.rollouts.map(({ sample }) => sample);
+    const seeds = () => rollouts().map(({ sample }) => sample);
     model.nextSample();
     expect(seeds()).toEqual([]);
     model.playSamples(true);
-    await settled();
+    await workers.settled();
     // The motion as learned stays the mean.
     expect([seeds(), model.rollout?.request.sample, model.learned?.request.sample]).toEqual([
       [undefined, 1],
@@ -350,32 +369,32 @@ describe("samples", () => {
       undefined,
     ]);
     model.nextSample();
-    await settled();
+    await workers.settled();
     model.couplings.set(0, 1, 7);
-    await settled();
-    expect([model.rollout?.request.sample, weightOf(0, 1)]).toEqual([2, 7]);
+    await workers.settled();
+    expect([model.rollout?.request.sample, rolledOut(0, 1)]).toEqual([2, 7]);
     expect(writeSettings(settings.values)).toContain("samples=1");
     model.playSamples(false);
-    await settled();
-    expect([model.rollout?.request.sample, weightOf(0, 1)]).toEqual([undefined, 7]);
+    await workers.settled();
+    expect([model.rollout?.request.sample, rolledOut(0, 1)]).toEqual([undefined, 7]);
     model.playSamples(true);
     stage.showClip(clip());
-    const before = engine.rollouts.length;
-    await settled();
+    await workers.settled();
+    const before = rollouts().length;
     model.nextSample();
-    await settled();
-    expect(engine.rollouts.length - before).toBeLessThanOrEqual(1);
+    await workers.settled();
+    expect(rollouts().length).toBe(before);
   });
 });
 
 describe("the length", () => {
   it("is set in seconds within the limits, for the ghost too", async () => {
     model.couplings.set(0, 1, 8);
-    model.setSeconds(5);
-    await settled();
-    expect([model.rollout?.request.frames, model.learned?.request.frames]).toEqual([150, 150]);
+    model.setSeconds(50);
+    await workers.settled();
+    expect([model.rollout?.request.frames, model.learned?.request.frames]).toEqual([100, 100]);
     model.setSeconds(1e6);
-    await settled();
+    await workers.settled();
     expect(model.rollout?.motion.frames).toBe(1200);
   });
 });

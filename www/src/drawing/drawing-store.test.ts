@@ -1,15 +1,14 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { progress } from "../engine/engine.fake";
-import { seriesText } from "../engine/series.fake";
-import { FakeProgram, settled } from "../engine/whole-workers.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { DrawingStore, type Pad } from "./drawing-store";
 
-let program: FakeProgram;
+let workers: HeldWorkers;
 let store: DrawingStore;
 beforeEach(() => {
   vi.useFakeTimers();
-  program = new FakeProgram();
-  store = new DrawingStore(program);
+  workers = new HeldWorkers();
+  workers.hold("trainSeries");
+  store = new DrawingStore(workers);
 });
 afterEach(() => {
   vi.useRealTimers();
@@ -25,15 +24,8 @@ function draw(pads: readonly Pad[], from: number, to: number): void {
       else store.move(pad, x, y, now);
     }
 }
-const parts = () => program.series.trainings.map(({ job }) => job.settings.parts.map(({ name }) => name));
-const end = async (index: number) => {
-  const training = program.series.trainings[index];
-  const found = { text: seriesText(["drawing.csv"]), latents: [] };
-  training?.report({ progress: progress(1), elapsed: 1, steps: [], found });
-  training?.end({ cancelled: false, reason: null });
-  vi.useRealTimers();
-  await settled();
-};
+const trainings = () => workers.held("trainSeries");
+const parts = () => trainings().map(({ given: [job] }) => job.settings.parts.map(({ name }) => name));
 
 it("waits until both hands have let go", async () => {
   draw([0, 1], 0, 3000);
@@ -43,7 +35,8 @@ it("waits until both hands have let go", async () => {
   store.end(1);
   await vi.advanceTimersByTimeAsync(1000);
   expect(parts()).toEqual([["left", "right"]]);
-  await end(0);
+  vi.useRealTimers();
+  trainings()[0]?.go();
   // A part of the program arrives while the model learns.
   await vi.waitFor(() => expect(store.drawn?.pads).toEqual([0, 1]));
 });
@@ -53,7 +46,9 @@ it("forgets a training when the drawing is cleared", async () => {
   store.end(0);
   await vi.advanceTimersByTimeAsync(1000);
   store.clear();
-  await end(0);
+  vi.useRealTimers();
+  trainings()[0]?.go();
+  await workers.settled();
   expect([store.drawn, store.words]).toEqual([null, ""]);
 });
 

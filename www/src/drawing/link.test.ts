@@ -1,5 +1,5 @@
 import { assert, expect, it } from "vitest";
-import { FakeProgram } from "../engine/whole-workers.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { DrawingStore } from "./drawing-store";
 import { circle, drawnBy, eight } from "./example";
@@ -53,7 +53,7 @@ it("takes 20 seconds of two hands, though the drawing never repeats itself", () 
 });
 
 it("says that a damaged link has no drawing, and removes it from the address", () => {
-  const store = new DrawingStore(new FakeProgram());
+  const store = new DrawingStore(new HeldWorkers());
   const settings = new SettingsStore({ read: () => "", write() {}, push() {} });
   settings.change({ view: "draw", drawing: "0.AAA" });
   keepInAddress(store, settings);

@@ -1,8 +1,8 @@
 import { expect, it, vi } from "vitest";
 import type { RolloutResult } from "../engine/protocol";
-import { settled } from "../engine/engine.fake";
 import { PlanePictures, type Wanted } from "./plane-pictures";
 
+const settled = () => new Promise((resolve) => setTimeout(resolve, 0));
 const wanted = (coupling: number, width = 100, part = 0): Wanted => ({
   rollout: { revision: 1, request: { alpha: [[coupling]] } } as unknown as RolloutResult,
   part,

@@ -1,49 +1,59 @@
 import { beforeEach, expect, it } from "vitest";
-import type { PerceptionResults } from "../engine/whole-protocol";
-import { FakeProgram, settled } from "../engine/whole-workers.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { AnalysisStore } from "./analysis-store";
+import { answersText, studyText } from "./study.fake";
 
-let program: FakeProgram;
+let workers: HeldWorkers;
 let store: AnalysisStore;
 beforeEach(() => {
-  program = new FakeProgram();
-  store = new AnalysisStore(program);
+  workers = new HeldWorkers();
+  workers.hold("analysePerception");
+  store = new AnalysisStore(workers);
 });
 
-const file = (name: string, text = name) => ({ name, text });
-const named = (title: string) => ({ title }) as PerceptionResults;
+const STUDY = studyText("walks");
+const file = (name: string, text = answersText(name, "left", "right")) => ({ name, text });
+const named = () => store.results?.participants.map(({ name, comparisons }) => [name, comparisons]);
+/** Lets an analysis go, and waits for what the store does then. */
+async function go(place: number): Promise<void> {
+  workers.held("analysePerception")[place]?.go();
+  await workers.settled();
+}
 
 it("analyses all files together; a file replaces one of the same name", async () => {
-  void store.add("study", [file("a"), file("b")]);
-  await settled();
-  program.analyses[0]?.end(named("first"));
-  await settled();
-  expect([store.results?.title, store.busy]).toEqual(["first", false]);
-  void store.add("study", [file("b", "new"), file("c")]);
-  await settled();
-  expect(program.analyses[1]?.request).toEqual([file("a"), file("b", "new"), file("c")]);
-  expect([store.busy, store.results?.title]).toEqual([true, "first"]);
+  void store.add(STUDY, [file("a"), file("b")]);
+  await workers.settled();
+  await go(0);
+  const first = [
+    ["a", 2],
+    ["b", 2],
+  ];
+  expect([named(), store.busy]).toEqual([first, false]);
+  void store.add(STUDY, [file("b", answersText("b", "left")), file("c")]);
+  await workers.settled();
+  expect([store.busy, named()]).toEqual([true, first]);
+  await go(1);
+  expect([named(), store.busy]).toEqual([[first[0], ["b", 1], ["c", 2]], false]);
 });
 
 it("shows the results of the newest request, also when older ones come later", async () => {
-  void store.analyse("study", [file("a")]);
-  await settled();
-  void store.analyse("study", [file("b")]);
-  await settled();
-  program.analyses[0]?.end(named("old"));
-  await settled();
+  void store.analyse(STUDY, [file("a")]);
+  await workers.settled();
+  void store.analyse(STUDY, [file("b")]);
+  await workers.settled();
+  await go(0);
   expect([store.results, store.busy]).toEqual([null, true]);
+  await go(1);
+  expect([named(), store.busy]).toEqual([[["b", 2]], false]);
 });
 
 it("says why files could not be analysed, and works again without the bad file", async () => {
-  void store.analyse("study", [file("a"), file("b")]);
-  await settled();
-  program.analyses[0]?.fail(new Error("a: expected a column"));
-  await settled();
-  expect([store.problem, store.results, store.busy]).toEqual(["a: expected a column", null, false]);
-  void store.remove("study", "a");
-  await settled();
-  expect([store.problem, program.analyses[1]?.request]).toEqual(["", [file("b")]]);
-  await store.remove("study", "b");
+  workers.letGo("analysePerception");
+  await store.analyse(STUDY, [file("a", "hello"), file("b")]);
+  expect([store.results, store.busy]).toEqual([null, false]);
+  expect(store.problem).toMatch(/^a: expected a column/);
+  await store.remove(STUDY, "a");
+  expect([store.problem, named()]).toEqual(["", [["b", 2]]]);
+  await store.remove(STUDY, "b");
   expect([store.files, store.results, store.busy]).toEqual([[], null, false]);
 });

@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeProgram } from "../engine/whole-workers.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { type AnswerDatabase, answered, isComplete, type Participation, type Row } from "./participation";
 import { PerceptionStore } from "./perception-store";
 import { download } from "../ui/download";
 import { visitor } from "../unsaved/choice-dialog.fake";
-import { study, trialsOf } from "./study.fake";
+import { studyText } from "./study.fake";
 
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
@@ -46,7 +46,7 @@ class FakeDatabase implements AnswerDatabase {
   }
 }
 
-let program: FakeProgram;
+let workers: HeldWorkers;
 let database: FakeDatabase;
 let store: PerceptionStore;
 
@@ -63,48 +63,47 @@ const left = ({ active }: PerceptionStore) =>
   (active?.steps ?? []).map((step) => (step.kind === "pair" ? step.position : step.page)).join(" ");
 
 beforeEach(async () => {
-  program = new FakeProgram();
-  program.studies = { study, trials: trialsOf([2, 1]) };
+  workers = new HeldWorkers();
   database = new FakeDatabase();
-  store = new PerceptionStore(program, database, async () => "study of the page");
-  await store.openStudy(async () => "walks");
+  store = new PerceptionStore(workers, database, async () => studyText("study of the page"));
+  await store.openStudy(async () => studyText("walks"));
 });
 
 describe("a study", () => {
   it("comes with the page when no other is open", async () => {
     await store.ready();
-    expect(store.study?.text).toBe("walks");
-    const other = new PerceptionStore(program, database, async () => "study of the page");
+    expect(store.study?.text).toBe(studyText("walks"));
+    const other = new PerceptionStore(workers, database, async () => studyText("study of the page"));
     await Promise.all([other.ready(), other.ready()]);
-    expect(other.study?.text).toBe("study of the page");
+    expect(other.study?.text).toBe(studyText("study of the page"));
   });
 
   it("is opened and changed, and a text that is no study is refused with the reason", async () => {
     expect(store.study?.info.title).toBe("walks");
     await store.change({ preset: "class" });
-    expect(store.study?.text).toBe('walks {"preset":"class"}');
-    program.studies = null;
+    const changed = store.study?.text;
+    expect([changed === studyText("walks"), store.study?.info.design.comparisons]).toEqual([false, 52]);
     await store.openStudy(async () => "{}");
-    const found = [store.problem, store.study?.info.title, store.busy];
-    expect(found).toEqual(["this is no study", 'walks {"preset":"class"}', false]);
+    expect(store.problem).toMatch(/^expected a study/);
+    expect([store.study?.text === changed, store.busy]).toEqual([true, false]);
     await store.openStudy(() => Promise.reject(new Error("no such file")));
     expect(store.problem).toBe("no such file");
   });
 
   it("that was changed or made here is not replaced before the visitor is asked", async () => {
     visitor.arrives("keep");
-    await store.openStudy(async () => "runs");
+    await store.openStudy(async () => studyText("runs"));
     expect(visitor.asked).toEqual([]);
     await store.change({ preset: "class" });
-    await store.openStudy(async () => "walks");
-    expect([store.study?.text, visitor.asked.length]).toEqual(['runs {"preset":"class"}', 1]);
+    await store.openStudy(async () => studyText("walks"));
+    expect([store.study?.info.title, visitor.asked.length]).toEqual(["runs", 1]);
     store.saveStudy();
     expect(vi.mocked(download)).toHaveBeenCalledOnce();
-    await store.openStudy(async () => "made", true);
-    expect([store.study?.text, visitor.asked.length]).toEqual(["made", 1]);
+    await store.openStudy(async () => studyText("made"), true);
+    expect([store.study?.info.title, visitor.asked.length]).toEqual(["made", 1]);
     visitor.arrives("discard");
-    await store.openStudy(async () => "walks");
-    expect([store.study?.text, store.unsaved, visitor.asked.length]).toEqual(["walks", null, 1]);
+    await store.openStudy(async () => studyText("walks"));
+    expect([store.study?.info.title, store.unsaved, visitor.asked.length]).toEqual(["walks", null, 1]);
   });
 });
 
@@ -112,7 +111,8 @@ describe("a participant", () => {
   it("answers, and each row is stored at once, with its place", async () => {
     await store.begin(" anna-3 ", false);
     expect(left(store)).toBe("consent instructions 0 1 pause 2 end");
-    expect(store.active?.columns).toMatchObject({ participant: "anna-3", study: study.hash, sitting: 1 });
+    const study = store.study?.info.hash;
+    expect(store.active?.columns).toMatchObject({ participant: "anna-3", study, sitting: 1 });
     await store.addRow(page);
     await store.addRow(answer(0));
     const [participation] = await database.all();
@@ -126,7 +126,7 @@ describe("a participant", () => {
     for (const row of [page, answer(0), answer(1)]) await store.addRow(row);
     // The tab is closed.
     database.held.clear();
-    const next = new PerceptionStore(program, database, async () => "study of the page");
+    const next = new PerceptionStore(workers, database, async () => studyText("study of the page"));
     await next.loadStored();
     const [participation] = next.participations;
     expect([
@@ -189,7 +189,7 @@ describe("a participant", () => {
 
   it("is active in one tab only, and another tab continues where this one stopped", async () => {
     await store.begin("anna", false);
-    const other = new PerceptionStore(program, database, async () => "study of the page");
+    const other = new PerceptionStore(workers, database, async () => studyText("study of the page"));
     await other.loadStored();
     const key = other.participations[0]?.key ?? "";
     await other.resume(key);

@@ -1,5 +1,27 @@
-// For tests: a small study, and trials of it.
+// For tests: small studies, and trials and answers of them.
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
+import bundled from "../../public/study/walks.study.json?raw";
+
+interface Document {
+  design: Record<string, unknown>;
+  stimuli: { id: string; kind: string }[];
+}
+
+const document = JSON.parse(bundled) as Document;
+const first = (kind: string) => document.stimuli.find((stimulus) => stimulus.kind === kind)!;
+const stimuli = [first("natural"), first("generated")] as const;
+const few = { blocks: 2, comparisons: 3, attention_checks: 0, catch_trials: 0 };
+
+/** The document of a study of two movements: two trials, a pause and a third trial. */
+export const studyText = (title: string): string =>
+  JSON.stringify({ ...document, title, design: { ...document.design, ...few }, stimuli });
+
+/** The file of a participant who saw the natural movement on the left, and gave these answers. */
+export function answersText(participant: string, ...responses: ("left" | "right")[]): string {
+  const trial = ["comparison", ...stimuli.map(({ id }) => id), "left"];
+  const rows = responses.map((response, place) => [place, participant, ...trial, response].join());
+  return ["trial_index,participant,kind,left,right,natural_side,response", ...rows].join("\n");
+}
 
 export const study: StudyInfo = {
   title: "Two dots",

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import type { ClipEntry } from "../clips/clips-store";
-import { libraryText } from "../engine/library.fake";
-import { FakeProgram } from "../engine/whole-workers.fake";
+import { HeldWorkers } from "../engine/held.fake";
+import { libraryText } from "./learned.fake";
 import { RecordedStore } from "./recorded-store";
 
 class FakeClips {
@@ -15,31 +15,37 @@ class FakeClips {
 
 it("adds the clips of the models once, and keeps the models", async () => {
   const clips = new FakeClips();
-  const recorded = new RecordedStore(new FakeProgram(), clips, async () => libraryText("first"));
+  const workers = new HeldWorkers();
+  const recorded = new RecordedStore(workers, clips, async () => libraryText(1));
   await Promise.all([recorded.load(), recorded.load()]);
-  expect(clips.added).toEqual([
-    ["Walk 1, by a model of CMU 35", "bvh of walk"],
-    ["Wave 1, by a model of CMU 141", "bvh of wave"],
+  expect(clips.added.map(([title]) => title)).toEqual([
+    "Walk 1, by a model of CMU 35",
+    "Wave 1, by a model of CMU 141",
   ]);
-  expect(recorded.movements.map(({ name, model }) => [name, model])).toEqual([
-    ["walk", "model of walk"],
-    ["wave", "model of wave"],
+  const { clips: read } = workers.started();
+  for (const [, bvh] of clips.added) {
+    const { info } = await read.readClip({ name: "clip.bvh", file: new Blob([bvh]) });
+    expect(info.frames).toBe(5 * 30);
+  }
+  expect(recorded.movements.map(({ name, model }) => [name, JSON.parse(model).sequences.length])).toEqual([
+    ["walk", 1],
+    ["wave", 1],
   ]);
 });
 
 it("adds no clips twice that an earlier visit brought back", async () => {
   const clips = new FakeClips();
   clips.all = [{ origin: "model" } as ClipEntry];
-  const recorded = new RecordedStore(new FakeProgram(), clips, async () => libraryText("first"));
+  const recorded = new RecordedStore(new HeldWorkers(), clips, async () => libraryText(1));
   await recorded.load();
   expect([clips.added, recorded.movements.length]).toEqual([[], 2]);
 });
 
 it("says why the library did not come, and tries again", async () => {
   let fails = true;
-  const recorded = new RecordedStore(new FakeProgram(), new FakeClips(), async () => {
+  const recorded = new RecordedStore(new HeldWorkers(), new FakeClips(), async () => {
     if (fails) throw new Error("the host did not answer");
-    return libraryText("first");
+    return libraryText(1);
   });
   await recorded.load();
   expect([recorded.problem, recorded.movements]).toEqual(["the host did not answer", []]);

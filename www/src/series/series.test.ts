@@ -1,9 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { progress } from "../engine/engine.fake";
-import type { TrainingReport } from "../engine/protocol";
-import { seriesText } from "../engine/series.fake";
-import type { TrainedSeries } from "../engine/series-protocol";
-import { FakeProgram, settled } from "../engine/whole-workers.fake";
+import { seriesText, seriesTmpText } from "../engine/documents.fake";
+import { HeldWorkers } from "../engine/held.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { download } from "../ui/download";
@@ -12,19 +9,27 @@ import { curvesOf } from "./series-curves";
 import { openSeries, type Series } from "./series";
 import { goingOn } from "./going-on";
 import { SeriesStore } from "./series-store";
+import type { TableEntry } from "./tables-store";
 
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
-const CSV = "arm_x,arm_y,leg_x\n1,2,3\n4,5,6\n";
-const file = (name: string, text = CSV) => new File([text], name);
+/** Ten rows of waves; another file for each name. */
+function file(name: string, columns = ["arm_x", "arm_y", "leg_x"]): File {
+  const wave = (row: number) => columns.map((_, column) => Math.sin(row + column + name.charCodeAt(0)));
+  const rows = Array.from({ length: 10 }, (_, row) => wave(row).join());
+  return new File([[columns.join(), ...rows].join("\n")], name);
+}
 
-let program: FakeProgram;
+let workers: HeldWorkers;
 let series: Series;
 beforeEach(() => {
-  program = new FakeProgram();
-  series = openSeries(program, new SettingsStore(new FakeAddressBar("latent=2&iterations=50")));
+  workers = new HeldWorkers();
+  const settings = "latent=1&iterations=20&dynamics=2&poses=2";
+  series = openSeries(workers, new SettingsStore(new FakeAddressBar(settings)));
 });
+const OTHER = seriesText(["old.csv"]);
+const rollouts = () => workers.asked("rolloutSeries").map(([request]) => request);
 
 describe("tables", () => {
   it("are opened once each, with parts by their columns", async () => {
@@ -36,7 +41,7 @@ describe("tables", () => {
       ["b.csv", true],
     ]);
     expect(tables.parts.map(({ name }) => name)).toEqual(["arm", "leg"]);
-    await expect(tables.open(file("c.csv", "x\n"))).rejects.toThrow(/^c\.csv, line 1/);
+    await expect(tables.open(new File(["x\n"], "c.csv"))).rejects.toThrow(/^c\.csv.* row/);
     expect(training.whyNot).toBe("");
   });
 
@@ -44,9 +49,8 @@ describe("tables", () => {
     const { tables, training } = series;
     await tables.open(file("a.csv"));
     tables.moveColumn("arm_y", 1);
-    program.series.clash = "b.csv cannot be trained together with a.csv";
-    await tables.open(file("b.csv", "x,y\n1,2\n3,4\n"));
-    expect(tables.clash).toMatch(/b\.csv cannot/);
+    await tables.open(file("b.csv", ["x", "y"]));
+    expect(tables.clash).toMatch(/b\.csv/);
     expect(training.whyNot).toMatch(/do not go together/);
     // The parts that the visitor changed stay as long as the columns stay the same.
     expect(tables.parts[1]?.columns).toEqual(["arm_y", "leg_x"]);
@@ -60,18 +64,14 @@ describe("tables", () => {
     await tables.open(file("a.csv"));
     await tables.leaveOut(" arm_y, ");
     expect([tables.columns, tables.leftOut]).toEqual([["arm_x", "leg_x"], ["arm_y"]]);
-    expect([...(tables.all[0]?.values ?? [])]).toEqual([1, 3, 4, 6]);
+    expect(tables.all[0]?.values.length).toBe(2 * 10);
     await tables.open(file("b.csv"));
     expect(tables.all[1]?.info.columns).toEqual(["arm_x", "leg_x"]);
     await tables.leaveOut("arm_z");
-    expect(tables.leftOutProblem).toMatch(/^a\.csv: expected some of the columns .*, found arm_z$/);
+    expect(tables.leftOutProblem).toMatch(/^a\.csv: expected some of the columns .*, found "arm_z"$/);
     expect([tables.columns, tables.leftOut]).toEqual([["arm_x", "leg_x"], ["arm_y"]]);
-    void training.train();
-    await settled();
-    expect(program.series.trainings[0]?.job.tables.map(({ without }) => without)).toEqual([
-      ["arm_y"],
-      ["arm_y"],
-    ]);
+    await training.train();
+    expect(series.model.opened?.info.columns).toEqual(["arm_x", "leg_x"]);
     await tables.leaveOut("");
     expect([tables.columns.length, tables.leftOutProblem]).toEqual([3, ""]);
     await tables.leaveOut("leg_x");
@@ -95,70 +95,53 @@ describe("tables", () => {
 });
 
 describe("a training", () => {
-  const report = (found: TrainedSeries | null) =>
-    ({ progress: { ...progress(50), fraction: 1 }, elapsed: 2, found }) as TrainingReport<TrainedSeries>;
-
-  it("is asked for with the parts that have columns, and its model is looked at", async () => {
+  it("has the parts that have columns, and its model is looked at", async () => {
     const { tables, model, training } = series;
     await tables.open(file("a.csv"));
     tables.addPart();
-    const over = training.train();
-    await settled();
-    const [asked] = program.series.trainings;
-    expect(asked?.job.settings).toMatchObject({
-      latent: 2,
-      maxIterations: 50,
-      parts: [{ name: "arm" }, { name: "leg" }],
-    });
-    expect(asked?.job.tables.map(({ name }) => name)).toEqual(["a.csv"]);
-    const latents = [new Float64Array(4), new Float64Array(2)];
-    asked?.report(report({ text: seriesText(["a.csv"]), latents }));
-    asked?.end({ cancelled: false, reason: "settled" });
-    await over;
-    expect(model.opened?.trainingLatents).toEqual(latents);
+    await training.train();
+    const { info, trainingLatents } = model.opened!;
+    expect(info.parts.map(({ name, latent, poseIps }) => [name, latent, poseIps])).toEqual([
+      ["arm", 1, 2],
+      ["leg", 1, 2],
+    ]);
+    expect(info.sequences.map(({ name }) => name)).toEqual(["a.csv"]);
+    expect(trainingLatents?.map(({ length }) => length)).toEqual([10, 10]);
     expect(model.recorded?.info.name).toBe("a.csv");
     expect([model.clock.lastFrame, model.couplings.altered]).toEqual([14, false]);
   });
 
   it("gives a model that makes place for no other, opened or trained, before the visitor was asked", async () => {
     const { tables, model, training } = series;
-    const train = async () => {
-      const over = training.train();
-      await settled();
-      const asked = program.series.trainings.shift();
-      asked?.report(report({ text: seriesText(["a.csv"]), latents: [new Float64Array(4)] }));
-      asked?.end({ cancelled: false, reason: "settled" });
-      await over;
-      return asked !== undefined;
-    };
     visitor.arrives("keep");
     await tables.open(file("a.csv"));
-    await model.open(seriesText(["old.csv"]));
-    await train();
+    await model.open(OTHER);
+    await training.train();
     expect(visitor.asked).toEqual([]);
     const { opened } = model;
-    expect(await model.open(seriesText(["old.csv"]))).toBe(false);
-    expect([await train(), training.busy, model.opened]).toEqual([false, false, opened]);
+    expect(await model.open(OTHER)).toBe(false);
+    await training.train();
+    expect([training.busy, model.opened === opened]).toEqual([false, true]);
     expect(visitor.asked).toHaveLength(2);
     // Once the model is saved, the page does not ask again.
     visitor.arrives("save");
-    expect([await train(), await train(), visitor.asked.length]).toEqual([true, true, 2]);
+    for (let times = 0; times < 2; times++) await training.train();
+    expect([workers.asked("trainSeries").length, visitor.asked.length]).toEqual([3, 2]);
     model.save();
-    expect([await model.open(seriesText(["old.csv"])), visitor.asked.length]).toEqual([true, 2]);
+    expect([await model.open(OTHER), visitor.asked.length]).toEqual([true, 2]);
     expect(vi.mocked(download)).toHaveBeenCalledTimes(3);
   });
 
   it("that fails leaves the model that was there", async () => {
     const { tables, model, training } = series;
-    await model.open(seriesText(["old.csv"]));
+    await model.open(OTHER);
     await tables.open(file("a.csv"));
+    workers.hold("trainSeries");
     const over = training.train();
-    await settled();
-    program.series.trainings[0]?.report(report(null));
-    program.series.trainings[0]?.end({ cancelled: true, reason: null });
+    await workers.settled();
+    workers.held("trainSeries")[0]?.fail(new Error("out of memory"));
     await over;
-    expect(model.opened?.text).toBe(seriesText(["old.csv"]));
-    expect(training.busy).toBe(false);
+    expect([model.opened?.text === OTHER, training.busy]).toEqual([true, false]);
   });
 });
 
@@ -168,46 +151,49 @@ describe("a model of tables", () => {
     await model.open(seriesText(["a.csv", "b.csv"]));
     expect(model.recorded).toBeNull();
     for (const alpha of [10, 20, 30]) model.couplings.set(0, 1, alpha);
-    await settled();
-    expect(program.series.rollouts.map(({ alpha }) => alpha?.[0]?.[1] ?? null)).toEqual([null, 10, 30]);
+    await workers.settled();
+    expect(rollouts().map(({ alpha }) => alpha?.[0]?.[1] ?? null)).toEqual([null, 10, 30]);
     // The page sends the document of the model once, not with each event of a slider.
-    expect(program.series.opened.length).toBe(1);
+    expect(workers.asked("openSeries").length).toBe(1);
     expect(model.couplings.weight(0, 1)).toBeCloseTo(
       1 / 30 / (1 / 30 + 1 / model.couplings.alphaOf(1, 1)),
       12,
     );
-    const found = [model.rollout?.values[0], model.learned?.values[0], model.couplings.altered];
-    expect(found).toEqual([30, 0, true]);
-    expect(await model.csv()).toContain("30");
+    expect([model.rollout?.weights?.[0]?.[1], model.couplings.altered]).toEqual([
+      model.couplings.weight(0, 1),
+      true,
+    ]);
+    expect(model.rollout?.values).not.toEqual(model.learned?.values);
+    const [, firstRow] = (await model.csv()).split("\n");
+    expect(firstRow?.split(",").slice(2).map(Number)).toEqual([...model.rollout!.values.slice(0, 3)]);
     model.couplings.resetAll();
-    await settled();
+    await workers.settled();
     expect([model.couplings.altered, model.rollout]).toEqual([false, model.learned]);
   });
 
   it("without an end goes on from the frame now, and as learned begins again", async () => {
-    const model = new SeriesStore(program, series.tables, 100);
+    const model = new SeriesStore(workers, series.tables, 100);
     await model.open(seriesText(["a.csv"]));
-    const last = () => program.series.rollouts.at(-1);
+    const last = () => rollouts().at(-1);
     model.clock.seek(60);
-    await settled();
+    await workers.settled();
     expect([model.clock.frame, last()?.start]).toEqual([60, undefined]);
     model.clock.seek(80);
-    await settled();
-    // 30 frames stay before the next ones, of which two begin the rollout.
-    expect([model.clock.frame, model.clock.lastFrame]).toEqual([29, 127]);
-    expect(last()?.start?.map((part) => part.map((row) => row.length))).toEqual([
-      [2, 2],
-      [1, 1],
-    ]);
+    await workers.settled();
+    // 30 frames stay before the next ones, of which one begins the rollout.
+    expect([model.clock.frame, model.clock.lastFrame]).toEqual([29, 128]);
+    expect(last()?.start?.map((part) => part.map((row) => row.length))).toEqual([[1], [1]]);
+    const before = [...model.rollout!.values];
     model.couplings.set(0, 1, 30);
-    await settled();
-    expect([model.rollout?.values.at(0), model.rollout?.values.at(-1)]).toEqual([0, 30]);
+    await workers.settled();
+    const now = [...model.rollout!.values];
+    expect([now[0], now.at(-1) === before.at(-1)]).toEqual([before[0], false]);
     // The last of three requests at once begins again, as the second one would.
     for (const alpha of [40, null, 50]) alpha ? model.couplings.set(0, 1, alpha) : model.couplings.resetAll();
-    await settled();
+    await workers.settled();
     expect([last()?.alpha?.[0]?.[1], last()?.start]).toEqual([50, undefined]);
     model.couplings.resetAll();
-    await settled();
+    await workers.settled();
     expect(model.rollout).toBe(model.learned);
   });
 
@@ -218,28 +204,24 @@ describe("a model of tables", () => {
       [[6], [7]],
       [[9], [10]],
     ]);
-    const model = new SeriesStore(program, series.tables, 100);
+    const model = new SeriesStore(workers, series.tables, 100);
     await model.open(seriesText(["a.csv"]));
     model.setBack([5]);
-    await settled();
-    expect(program.series.rollouts.at(-1)).toMatchObject({
-      alpha: null,
-      start: [{ length: 2 }, { length: 2 }],
-    });
+    await workers.settled();
+    expect(rollouts().at(-1)).toMatchObject({ alpha: null, start: [{ length: 1 }, { length: 1 }] });
   });
 
   it("has futures from where its rollout was asked for last, and none when hidden", async () => {
-    const model = new SeriesStore(program, series.tables, 100);
+    const model = new SeriesStore(workers, series.tables, 100);
     await model.open(seriesText(["a.csv"]));
-    const firsts = () => model.futures.map(({ latents }) => latents[0]?.at(-1));
     model.showFutures(1);
-    await settled();
-    expect(firsts()).toEqual([1, 2, 3, 4, 5]);
+    await workers.settled();
+    expect(new Set(model.futures.map(({ latents }) => latents[0]?.at(-1))).size).toBe(5);
     model.clock.seek(80);
-    await settled();
-    expect([model.futures[0]?.request.frames, model.futures[0]?.latents[0]?.length]).toEqual([128, 256]);
+    await workers.settled();
+    expect([model.futures[0]?.request.frames, model.futures[0]?.latents[0]?.length]).toEqual([129, 129]);
     model.showFutures(0);
-    await settled();
+    await workers.settled();
     expect(model.futures).toEqual([]);
   });
 
@@ -247,46 +229,46 @@ describe("a model of tables", () => {
     const { model } = series;
     await model.open(seriesText(["a.csv", "b.csv"]));
     model.setSequence(1);
-    await settled();
-    expect(program.series.rollouts.at(-1)).toMatchObject({ sequence: 1, frames: 15, alpha: null });
+    await workers.settled();
+    expect(rollouts().at(-1)).toMatchObject({ sequence: 1, frames: 30, alpha: null });
   });
 
   it("infers columns from those that a recording or a hand gives, until the model moves all again", async () => {
     const { tables, model } = series;
-    await model.open(seriesText(["a.csv"]));
-    await tables.open(file("a.csv"));
-    const asked = () => [...(program.series.rollouts.at(-1)?.observed ?? [])].slice(0, 9);
-    model.give("arm_y", "recording");
-    await settled();
-    // The recording has two rows.
+    await tables.open(file("a.csv", ["x", "y", "z"]));
+    const [{ info, values }] = tables.all as [TableEntry];
+    await model.open(seriesText([info.sha256]));
+    const asked = (row: number) => [...(rollouts().at(-1)?.observed ?? [])].slice(3 * row, 3 * row + 3);
+    model.give("y", "recording");
+    await workers.settled();
     const missing = Number.NaN;
-    expect(asked()).toEqual([missing, 2, missing, missing, 5, missing, missing, missing, missing]);
-    model.give("leg_x", "hand");
-    model.draw("leg_x", [0, 7], [1, 8]);
-    await settled();
-    expect(asked()).toEqual([missing, 2, 7, missing, 5, 8, missing, missing, 0]);
-    expect([model.giverOf("arm_y"), model.giverOf("leg_x"), model.giverOf("arm_x")]).toEqual([
-      ...["recording", "hand", null],
+    expect([asked(1), asked(10)]).toEqual([
+      [missing, values[4], missing],
+      [missing, missing, missing],
     ]);
-    model.give("arm_y", null);
-    model.give("leg_x", null);
-    await settled();
+    const given = (row: number, column: number) => model.rollout?.values[3 * row + column];
+    expect(given(1, 1)).toBeCloseTo(values[4]!, 9);
+    model.give("z", "hand");
+    model.draw("z", [0, 7], [1, 8]);
+    await workers.settled();
+    expect([asked(0)[2], asked(1)[2]]).toEqual([7, 8]);
+    expect([given(0, 2), given(1, 2)]).toEqual([7, 8].map((number) => expect.closeTo(number, 9)));
+    expect(["x", "y", "z"].map((column) => model.giverOf(column))).toEqual([null, "recording", "hand"]);
+    model.give("y", null);
+    model.give("z", null);
+    await workers.settled();
     expect(model.rollout).toBe(model.learned);
-    model.give("leg_x", "hand");
-    await model.open(seriesText(["b.csv"]));
-    expect(model.giverOf("leg_x")).toBeNull();
+    model.give("z", "hand");
+    await model.open(OTHER);
+    expect(model.giverOf("z")).toBeNull();
   });
 
   it("of another kind has curves alone", async () => {
     const { model } = series;
-    await model.open(seriesText(["a.csv"], { coupled: false }));
+    await model.open(seriesTmpText());
     model.couplings.set(0, 1, 5);
-    await settled();
-    expect([model.couplings.alpha, model.rollout?.latents, program.series.rollouts.length]).toEqual([
-      [],
-      [],
-      1,
-    ]);
+    await workers.settled();
+    expect([model.couplings.alpha, model.rollout?.latents, rollouts().length]).toEqual([[], [], 1]);
   });
 });
 

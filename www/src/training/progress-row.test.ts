@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { progress } from "../engine/engine.fake";
+import { progress } from "../engine/documents.fake";
 import { goingWords } from "./progress-row";
 import { ProgressStore } from "./progress-store";
 

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { progress } from "../engine/engine.fake";
+import { progress } from "../engine/documents.fake";
 import { bestRun, dataOf, differences, type Run, secondsLeft, seedsFrom, share } from "./runs";
 
 const settings = {

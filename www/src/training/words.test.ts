@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { progress } from "../engine/engine.fake";
+import { progress } from "../engine/documents.fake";
 import { costWords } from "./cost";
 import { lab } from "../words/lab";
 import { endingWords, timeLeft } from "./words";

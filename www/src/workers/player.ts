@@ -1,69 +1,13 @@
-// The worker that shows, with the model. No DOM.
-import init, {
-  bestToShow,
-  Clip,
-  documentKind,
-  Endless,
-  freshSeed,
-  trainingCost,
-  usualSettings,
-  version,
-} from "vcgpdm/player";
-import type { LiveBody, Workbench } from "../engine/protocol";
-import { advance } from "./endless";
+// The worker that shows. No DOM.
+import init, { version } from "vcgpdm/player";
+import type { Workbench } from "../engine/protocol";
+import { playerCalls, samples } from "./player-calls";
 import { serve, start } from "./serve";
-import { shownClip } from "./shown-clip";
-import { ShownModel } from "./shown-model";
-import { using } from "./using";
 
-const model = new ShownModel();
-let live: { endless: Endless; body: LiveBody } | null = null;
-
-function endLive(): void {
-  live?.endless.free();
-  live = null;
-}
-
-const workbench: Workbench = {
+serve({
   async start(wasm) {
     await start(init, wasm);
-    // The wasm of a quick build can make more clips than that of a first visit.
-    const samples = Clip.samples().filter(({ movement }) => movement.startsWith("walk"));
-    return { version: version(), samples };
+    return { version: version(), samples: samples() };
   },
-  freshSeed: () => freshSeed(),
-  documentKind: (text) => documentKind(text),
-  sampleClip: (id) => using(Clip.sample(id), shownClip),
-  trainingCost({ settings, frames, longest, columns }) {
-    const usual = usualSettings(longest);
-    const dynamicsIps = settings.dynamicsIps || usual.dynamicsIps;
-    const poseIps = settings.poseIps || usual.poseIps;
-    return { ...trainingCost({ ...settings, dynamicsIps, poseIps }, frames, columns), usual, longest };
-  },
-  bestToShow: (ranks, errors) => bestToShow(Uint8Array.from(ranks), Float64Array.from(errors)),
-  openModel: (text, frames, revision) => model.open(text, frames, revision),
-  rollout: (request) => model.rollout(request),
-  inducing: (point, request) => model.inducing(point, request),
-  bodyPose: (latents) => model.bodyPose(latents),
-  poseVariance: (part, latents) => model.poseVariance(part, latents),
-  modelJson: () => model.toJson(),
-  rolloutBvh: (request) => model.rolloutBvh(request),
-  bodyReport: (request, first) => model.bodyReport(request, first),
-  predictions: (request) => model.predictions(request),
-  futures: (request, count, seed) => model.futures(request, count, seed),
-  startLive(request, frame) {
-    const next = model.withRollout(request, (rollout, body) => ({
-      endless: new Endless(rollout, frame),
-      body,
-    }));
-    endLive();
-    live = next;
-  },
-  advanceLive(step) {
-    if (!live) throw new Error("The live motion ended: start it again.");
-    return advance(live.endless, live.body, step);
-  },
-  endLive,
-};
-
-serve(workbench);
+  ...playerCalls,
+} satisfies Workbench);

@@ -1,6 +1,6 @@
 import { beforeEach, expect, it } from "vitest";
-import { libraryText } from "../../engine/library.fake";
-import { FakeProgram, settled } from "../../engine/whole-workers.fake";
+import { HeldWorkers } from "../../engine/held.fake";
+import { libraryText } from "../../primitives/learned.fake";
 import { LibraryStore } from "../../primitives/library-store";
 import { SettingsStore } from "../../settings/settings-store";
 import { NoticesStore } from "../../ui/notices-store";
@@ -10,11 +10,13 @@ import { NO_ADDRESS } from "../../app/story-body";
 import { BorrowChapter, outcomeOf, measureHandsAndFeet } from "./borrow-chapter";
 import type { LibraryInfo } from "../../engine/library-protocol";
 
+let workers: HeldWorkers;
 let library: LibraryStore;
 let settings: SettingsStore;
 let chapter: BorrowChapter;
 beforeEach(async () => {
-  library = new LibraryStore(new FakeProgram(), new NoticesStore(), async () => libraryText("first"));
+  workers = new HeldWorkers();
+  library = new LibraryStore(workers, new NoticesStore(), async () => libraryText(1));
   settings = new SettingsStore(NO_ADDRESS);
   settings.change({ chapter: 8 });
   chapter = new BorrowChapter({ now: words } as unknown as WordsStore, settings, library);
@@ -23,7 +25,7 @@ beforeEach(async () => {
 
 it("shows a recorded movement, and after the guess its legs with the arms of another", async () => {
   chapter.arrive();
-  await settled();
+  await workers.settled();
   expect([library.uses, library.recorded]).toEqual([[0, 2], "walk"]);
   expect([chapter.control(), chapter.reveal()]).toEqual([null, null]);
   chapter.guessed("yes");
@@ -33,12 +35,12 @@ it("shows a recorded movement, and after the guess its legs with the arms of ano
 it("leaves the Lab's combination as it was, but for a visitor who opens this one in the Lab", async () => {
   library.take([1, 2]);
   chapter.arrive();
-  await settled();
+  await workers.settled();
   chapter.guessed("yes");
   chapter.leave();
   expect(library.uses).toEqual([1, 2]);
   chapter.arrive();
-  await settled();
+  await workers.settled();
   chapter.guessed("yes");
   settings.change({ chapter: 0, view: "primitives" });
   chapter.leave();
