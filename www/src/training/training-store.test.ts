@@ -354,6 +354,21 @@ describe("a run that stopped before its bound had settled", () => {
     expect([run.elapsed >= elapsed, run.catchingUp]).toEqual([true, false]);
   });
 
+  it("has the same model after more iterations, from its own worker or trained again", async () => {
+    workers.letGo("train");
+    const models: unknown[] = [];
+    for (const keeps of [true, false]) {
+      await training.start();
+      const run = training.runs.at(-1)!;
+      // Another training takes the worker of the first.
+      if (!keeps) await training.start();
+      await training.continue(run);
+      expect([iterations(run), run.settings.maxIterations]).toEqual([upTo(20), 20]);
+      models.push(run.model?.text);
+    }
+    expect([models[1] === models[0], workers.asked("goOn").length]).toEqual([true, 2]);
+  });
+
   it("cannot continue when it has been removed", async () => {
     const run = await stopped();
     training.remove(run);

@@ -315,11 +315,22 @@ export class TrainingStore extends Job {
     const { frames } = this.settings.values;
     return pool.run(async (worker) => {
       begun();
-      const outcome = await worker.train(
-        { clips: run.clips, settings: run.settings, frames },
-        report,
-        signal,
-      );
+      const { clips, settings, portion } = run;
+      let seconds = 0;
+      const first: typeof report = (sent) => {
+        seconds = sent.elapsed;
+        return report(sent);
+      };
+      const job = { clips, settings: { ...settings, maxIterations: portion }, frames };
+      let outcome = await worker.train(job, first, signal);
+      // A training that was extended is another one than a training that was longer from the beginning.
+      const more = settings.maxIterations - portion;
+      if (more > 0 && outcome.reason === "iterations")
+        outcome = await worker.goOn(
+          more,
+          (sent) => report({ ...sent, elapsed: seconds + sent.elapsed }),
+          signal,
+        );
       if (isOpen(outcome)) this.#paused.keep(run, worker, bestBound(run));
       return outcome;
     }, signal);
