@@ -18,7 +18,7 @@ pub struct Progress {
     iteration: usize,
     /// The most iterations.
     max_iterations: usize,
-    /// What training maximises, at this iteration, in nats: the bound, or the bound with weighted pose terms.
+    /// What training maximises, at this iteration, in nats: the bound, or the sum of its terms with weighted poses.
     objective: f64,
     /// The highest objective so far, in nats.
     best: f64,

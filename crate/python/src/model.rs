@@ -226,8 +226,8 @@ impl Vcgpdm {
         coupled!(&self.trained, model => Ok(model.provenance.bound()))
     }
 
-    /// The highest value of what training maximised, in nats: the bound, or the bound with weighted pose
-    /// terms.
+    /// The highest value of what training maximised, in nats: the bound, or the sum of its terms
+    /// with weighted poses.
     #[getter]
     fn objective(&self) -> PyResult<f64> {
         coupled!(&self.trained, model => Ok(model.provenance.objective))

@@ -227,12 +227,15 @@ describe("several trainings", () => {
     expect([states(), training.asked.length]).toEqual(["running running", 2]);
     expect(worker(0).given[0].settings).toMatchObject({ poseWeight: "balanced" });
     expect(worker(1).given[0].settings).toMatchObject({ poseWeight: 1, ownRollouts: false });
+    report(0, 9, 1e9, modelText(5), { health: STANDS_STILL, error: 1e9 });
     worker(0).end(done);
     await workers.settled();
     const [first] = training.runs;
     expect([training.busy, first && training.canRemove(first)]).toEqual([true, false]);
     worker(1).go();
     await over;
+    // Objectives of other weights are not compared.
+    expect(training.ending.words).toMatch(/^2 done\. The best, seed 5, is on the stage\.$/);
     expect(model.model?.info.provenance.settings.latent).toBe(2);
     training.clear();
     expect([training.runs, training.chosen, training.charted]).toEqual([[], null, null]);
@@ -254,7 +257,7 @@ describe("by default", () => {
     }
   });
 
-  it("a model that keeps moving is shown, and the page says why one of a higher bound is not", async () => {
+  it("a model that keeps moving is shown, and the page says why one of a higher objective is not", async () => {
     await begin("seed=5");
     const over = training.start();
     await workers.settled();

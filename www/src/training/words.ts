@@ -2,7 +2,7 @@
 import type { Setbacks, TrainingOutcome, TrainingProgress } from "../engine/protocol";
 import { duration, sentence } from "../ui/format";
 import { lab } from "../words/lab";
-import { bestBound, endOfMotion, type Run } from "./runs";
+import { bestBound, dataOf, endOfMotion, type Run } from "./runs";
 
 /** How a run ended, with the setbacks of its last step. */
 export function endingWords(
@@ -40,11 +40,11 @@ export function endingOfRuns(runs: readonly Run[], best: Run | null): { words: s
   return { words: `${counts.join(", ")}.${shown}`, failed: false };
 }
 
-/** Why this run is on the stage although another has a higher bound. */
+/** Why this run is on the stage although another of the same data has a higher objective. */
 function reasonToShow(best: Run, runs: readonly Run[]): string {
-  const higher = runs.find(
-    (run) => run.model !== null && run.state !== "failed" && bestBound(run) > bestBound(best),
-  );
+  const alike = runs.filter((run) => dataOf(run) === dataOf(best));
+  const trained = alike.filter((run) => run.model !== null && run.state !== "failed");
+  const higher = trained.find((run) => bestBound(run) > bestBound(best));
   if (!higher) return "";
   const { ending } = lab().learn;
   const { seed } = higher.settings;

@@ -44,7 +44,7 @@ pub(crate) struct ModelProvenance<'a> {
     settings: JsValue,
     /// The final bound in nats, or the objective of a model without a bound.
     bound: f64,
-    /// What training maximised: the bound, or with `poseWeight` the bound with weighted pose terms.
+    /// What training maximised: the bound, or with `poseWeight` the sum of its terms with weighted poses.
     objective: f64,
     /// Null for a model without a bound.
     terms: Option<&'a BoundTerms>,

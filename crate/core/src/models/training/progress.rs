@@ -45,7 +45,7 @@ pub struct Progress {
     pub evaluations: usize,
     /// Numerical failures so far that the training survived.
     pub setbacks: Setbacks,
-    /// The current value of the objective, in nats: the bound, a bound with weighted pose terms, a log density, or
+    /// The current value of the objective, in nats: the bound, the sum of its terms with weighted poses, a log density, or
     /// the negative of an error.
     #[serde(rename = "bound")]
     pub objective: f64,
@@ -97,7 +97,7 @@ impl fmt::Display for TrainingPhase {
 pub enum EndReason {
     /// The bound no longer rises.
     BoundSettled,
-    /// The objective, the bound with weighted pose terms, no longer rises.
+    /// The objective with weighted poses no longer rises.
     WeightedBoundSettled,
     /// The log density no longer rises.
     DensitySettled,

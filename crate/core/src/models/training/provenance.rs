@@ -18,7 +18,7 @@ pub struct Provenance {
     pub seed: u32,
     /// The frame rate asked for, in frames a second.
     pub frames_per_second: f64,
-    /// The highest value of the objective: the bound, a bound with weighted pose terms or a log density in
+    /// The highest value of the objective: the bound, the sum of its terms with weighted poses, or a log density in
     /// nats, or the negative of an error.
     pub objective: f64,
     /// The bound on the log evidence at that point, in nats, if the objective weights the pose terms; absent
