@@ -1,13 +1,28 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { HeldLab } from "../couplings/lab.fake";
 import { bvhText } from "../engine/documents.fake";
+import { EngineStore } from "../engine/engine-store";
+import { HeldWorkers } from "../engine/held.fake";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { ClipsStore } from "./clips-store";
 
-let { workers, stage, clips } = new HeldLab();
+let workers: HeldWorkers;
+let stage: StageStore;
+let clips: ClipsStore;
 beforeEach(async () => {
-  const lab = new HeldLab();
-  ({ workers, stage, clips } = lab);
+  workers = new HeldWorkers();
   workers.bring("walk-1", "walk-2", "walk-wave-1");
-  await lab.start();
+  const [settings, store] = [new SettingsStore(new FakeAddressBar()), new EngineStore()];
+  stage = new StageStore(new Playback(settings));
+  clips = new ClipsStore(store, settings, stage);
+  await store.start(
+    async () => workers.started(),
+    async () => {},
+  );
+  const motion = { positions: new Float32Array(60), frames: 10, nodes: 2, frameTime: 0.1 };
+  stage.showModel({ kind: "first", figure: { nodes: [] }, joints: [], parts: [], motion });
   await clips.loadSamples();
 });
 
@@ -101,7 +116,7 @@ describe("a clip on the stage", () => {
 
   it("leaves the stage to the model when it is removed", async () => {
     await clips.remove("own-4");
-    expect([stage.clip, stage.content?.kind]).toEqual([null, "model"]);
+    expect([stage.clip, stage.content?.kind]).toEqual([null, "first"]);
     expect(clips.all.map(({ key }) => key)).not.toContain("own-4");
   });
 

@@ -1,7 +1,7 @@
-import { Model } from "vcgpdm/player";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { HeldLab } from "./lab.fake";
 import { modelText } from "../engine/documents.fake";
+import { hashOf } from "../engine/held.fake";
 import { readSettings, writeSettings } from "../settings/settings";
 import { presetWords, START_PRESETS } from "./presets";
 
@@ -16,7 +16,7 @@ async function begin(fragment = "", sequences = 1): Promise<void> {
 beforeEach(() => begin());
 
 /** The start of the hash of a model. */
-const id = (seed: number, sequences = 1) => Model.fromJson(modelText(seed, sequences)).sha256().slice(0, 8);
+const id = (seed: number, sequences = 1) => hashOf(modelText(seed, sequences)).slice(0, 8);
 const rollouts = () => workers.asked("rollout").map(([request]) => request);
 const held = () => workers.held("rollout");
 

@@ -1,7 +1,8 @@
 // For tests: the real workers, in the thread of the test. The test can hold their calls, and answer itself.
-import init from "vcgpdm/inline";
+import init, { Model } from "vcgpdm/inline";
 import { version } from "vcgpdm/player";
 import { playerCalls, samples } from "../workers/player-calls";
+import { using } from "../workers/using";
 import { wholeCalls } from "../workers/whole-calls";
 import { type Calls, callsBy } from "./calls";
 import type { StartedEngine } from "./engine";
@@ -34,6 +35,9 @@ export interface HeldCall<Call extends Name> {
 }
 
 await init();
+
+/** The hash of a model's document. */
+export const hashOf = (text: string) => using(Model.fromJson(text), (model) => model.sha256());
 
 /** The workers that answer: what an earlier test left behind does not reach into a later one. */
 let newest: HeldWorkers | null = null;
