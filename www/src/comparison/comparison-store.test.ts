@@ -359,6 +359,26 @@ describe("opened results", () => {
     expect([comparison.ending.words, finished().length]).toEqual(["5 of 5 trainings done.", 6]);
   });
 
+  it("ask before the oldest of more than four comparisons is lost", async () => {
+    for (const ids of [
+      [1, 2],
+      [1, 3],
+      [2, 3],
+      [1, 2, 3],
+    ]) {
+      clips.tick(...ids);
+      await comparison.begin();
+    }
+    expect(visitor.asked).toEqual([]);
+    visitor.answer = "keep";
+    // Going on with one of them loses none.
+    await comparison.begin();
+    clips.tick(1, 4);
+    await comparison.begin();
+    expect(visitor.asked).toEqual([expect.stringContaining("a comparison of 4 trainings")]);
+    expect(workers.asked("evaluate")).toHaveLength(3 * 4 + 6);
+  });
+
   it("ask before they replace results that are on no disk", async () => {
     await comparison.open(await saved());
     await comparison.open(await saved());

@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import { HeldWorkers } from "../engine/held.fake";
 import { initialSettings, type Settings } from "../settings/settings";
 import { Store } from "../ui/store";
@@ -42,9 +42,11 @@ describe("the data", () => {
     const stop = experiments.follow();
     await workers.settled();
     expect(drawn()).toEqual(seeds(0));
+    const told = vi.fn();
+    experiments.on(told);
     draws()[0]?.go();
     await workers.settled();
-    expect(experiments.truth?.frames).toBe(300);
+    expect([experiments.truth?.frames, told.mock.calls.length]).toEqual([300, 1]);
     settings.change({ plot: "3d" });
     await workers.settled();
     expect(draws()).toHaveLength(1);

@@ -37,10 +37,12 @@ it("writes a mean without a standard error", () => {
     mean: "0.0104",
     error: "",
   });
-  expect(estimateText({ mean: Number.NaN, standardError: null, count: 0 })).toEqual({
-    mean: "unknown",
-    error: "",
-  });
+  for (const [mean, count] of [
+    [Number.NaN, 0],
+    [Number.NaN, 3],
+    [0.5, 0],
+  ] as const)
+    expect(estimateText({ mean, standardError: null, count })).toEqual({ mean: "unknown", error: "" });
 });
 
 it("labels equal steps with equal decimals, and powers one by one", () => {

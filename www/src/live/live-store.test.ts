@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
 import { HeldLab } from "../couplings/lab.fake";
 import { modelText } from "../engine/documents.fake";
 import type { LiveChange } from "../engine/protocol";
@@ -82,7 +82,10 @@ describe("a live rollout", () => {
     const held = workers.held("advanceLive");
     expect(held).toHaveLength(1);
     const end = await held[0]!.late();
+    const told = vi.fn();
+    live.on(told);
     live.stop();
+    expect(told).toHaveBeenCalled();
     workers.letGo("advanceLive");
     await live.start();
     const frames = () => [live.track?.last, ...live.trace.map(({ frame }) => frame)];

@@ -119,6 +119,10 @@ describe("a participant", () => {
     expect(participation?.rows.map(({ trial_index }) => trial_index)).toEqual([0, 1]);
     expect(participation && answered(participation)).toBe(1);
     expect(store.active?.participation.rows).toHaveLength(2);
+    // A row that comes after the participant has left belongs to nobody.
+    store.leave();
+    await store.addRow(answer(1));
+    expect((await database.all())[0]?.rows).toHaveLength(2);
   });
 
   it("continues in the next visit where the closed tab stopped, with the same trials of the same study", async () => {

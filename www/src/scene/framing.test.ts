@@ -78,6 +78,15 @@ describe("the camera", () => {
     expect((Math.max(...seen) - Math.min(...seen)) * DEGREES).toBeLessThan(5);
   });
 
+  it("can be put to a turn, a rise and a distance, in units of its own distance", () => {
+    const framing = aimed(1);
+    framing.wanted = { middle: 0.9, distance: 5 };
+    framing.approach();
+    framing.look = [0.3, 0.2, 2];
+    expect(framing.look).toEqual([0.3, 0.2, 2].map((number) => expect.closeTo(number, 9)));
+    expect(framing.offset.length()).toBeCloseTo(10, 9);
+  });
+
   it("keeps a turn and a zoom of the visitor", () => {
     const framing = aimed(1);
     framing.wanted = { middle: 0.9, distance: 5 };

@@ -23,7 +23,12 @@ it("replaces its newest frames", () => {
   const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
   for (let frame = 0; frame < 50; frame += 5) track.append(walk(frame, 5));
   track.cutAfter(46);
-  expect([track.last, track.frame(46)?.[2], track.frame(47)]).toEqual([46, 46, null]);
+  expect([track.last, track.frame(46)?.[2], track.frame(46)?.length, track.frame(47)]).toEqual([
+    46,
+    46,
+    6,
+    null,
+  ]);
   track.append(walk(80, 2));
   expect([track.last, track.frame(47)?.[2], track.frame(track.first - 1)]).toEqual([48, 80, null]);
   track.cutAfter(60);

@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import { principalAxes, project } from "../../latents/projection";
-import { lift, nearestRow, projectPath, lapOf } from "./drawing";
+import { Plane } from "../../latents/plane";
+import { axesAt, lift, nearestRow, pixelsAt, projectPath, lapOf } from "./drawing";
 
 /** A tilted ellipse in three dimensions. */
 const path = Float64Array.from({ length: 3 * 60 }, (_, i) => {
@@ -23,6 +24,13 @@ it("lifts a place off the path to a point that the plot shows there", () => {
   const at = project(projection, lift(projection, seen, 5, -2), 0, new Float64Array(3));
   expect(at[0]).toBeCloseTo(5, 9);
   expect(at[1]).toBeCloseTo(-2, 9);
+});
+
+it("finds the place at pixels, and the pixels of a place", () => {
+  const plane = new Plane({ width: 100, height: 200, projection, turn: { about: 0, tilt: 0 } });
+  const [x, y] = pixelsAt(plane, projection, [1.5, -0.4]);
+  expect(axesAt(plane, projection, x, y)).toEqual([1.5, -0.4].map((number) => expect.closeTo(number, 9)));
+  expect([x > 50, y > 100]).toEqual([true, true]);
 });
 
 const circle = (frames: number, period: number) =>
