@@ -199,13 +199,15 @@ mod tests {
 
     #[test]
     fn legs_of_clearly_different_lengths_are_no_pair() {
-        let pairs = |y: f64| {
+        let body = |y: f64| {
             let joint = "\n{\nCHANNELS 1 Zrotation\nOFFSET 0 0 0\n";
             let leg = |x: i32, y: f64| format!("JOINT a{x}{joint}End Site\n{{\nOFFSET {x} {y} 0\n}}\n}}\n");
             let body = format!("HIERARCHY\nROOT a{joint}{}{}}}\n", leg(1, 9.0), leg(-1, y));
             let text = format!("{body}MOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0\n");
-            mirrored_pairs(&bvh::read("a.bvh", text.as_bytes()).unwrap().into_clip().skeleton).len()
+            bvh::read("a.bvh", text.as_bytes()).unwrap().into_clip().skeleton
         };
-        assert_eq!([9.0, 8.5, 7.0].map(pairs), [1, 1, 0]);
+        assert_eq!([9.0, 8.5, 7.0].map(|y| mirrored_pairs(&body(y)).len()), [1, 1, 0]);
+        // Without a pair there is no direction up, and no division by zero.
+        assert_eq!([8.5, 7.0].map(|y| Limbs::find(&body(y)).is_some()), [true, false]);
     }
 }

@@ -209,6 +209,13 @@ mod tests {
         assert!(clip.warnings.iter().any(|warning| warning.contains("T-pose")));
     }
 
+    #[test]
+    fn a_first_row_with_one_angle_at_rest_is_kept() {
+        let mut recording = swinging(50, false, swing);
+        recording.values[(0, 6)] = 0.0;
+        assert_eq!(recording.rows_before_motion(), 0);
+    }
+
     /// CMU subject 7, trial 12 begins with two rest poses, the first with a few other angles. When the second
     /// was kept, predictions from the first frames began in the wrong pose. At a lower rate the motion's own
     /// steps are large, too.

@@ -19,6 +19,10 @@ const MOST_COLUMNS: usize = 10_000;
 /// A spreadsheet computes texts that begin with one of these. `www/src/figures/csv.ts` has the same list.
 const FORMULA_SIGNS: &str = "=+-@\t\r\n＝＋－＠";
 
+fn is_too_large(rows: usize, columns: usize) -> bool {
+    rows.saturating_mul(columns) > MOST_NUMBERS
+}
+
 impl Table {
     /// A table of values [rows x columns] with `frame_time` seconds from row to row. Its hash is that of the
     /// text that [`write`](write()) returns.
@@ -60,7 +64,7 @@ impl Table {
         if rows < 2 {
             return refuse(format!("expected at least two rows of numbers, found {rows}"));
         }
-        if rows.saturating_mul(width) > MOST_NUMBERS {
+        if is_too_large(rows, width) {
             return refuse(format!("expected at most {MOST_NUMBERS} numbers, found {rows} rows of {width}"));
         }
         let wrong = |at: &usize| !is_usable(values[(at / width, at % width)]);
@@ -127,7 +131,7 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Table, SeriesError> {
                 format!("expected {} fields, as in the first row, found {}", names.len(), fields.len());
             return Err(error_at(line, &problem));
         }
-        if (rows.len() + 1) * names.len() > MOST_NUMBERS {
+        if is_too_large(rows.len() + 1, names.len()) {
             return Err(error_at(line, &format!("expected a table of at most {MOST_NUMBERS} numbers")));
         }
         let numbers = fields.iter().zip(&names).enumerate().map(|(k, (field, name))| {
@@ -262,5 +266,14 @@ fn number(field: &str, comma: bool, is_time: bool) -> Result<f64, &'static str> 
             Err("a number (commas, semicolons or tabs between the columns)")
         }
         Err(_) => Err("a number"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_table_has_twenty_million_numbers_at_most() {
+        let sizes = [(5_000, 4_000), (5_000, 4_001)];
+        assert_eq!(sizes.map(|(rows, columns)| super::is_too_large(rows, columns)), [false, true]);
     }
 }

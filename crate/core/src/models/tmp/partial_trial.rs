@@ -180,6 +180,6 @@ mod tests {
         // The squares 2 * 0.05^2 + 2 * 0.1^2 = 0.025 have 2 + 2 - 1 degrees of freedom.
         assert_eq!((t.centre, t.freedom), (0.2, 3.0));
         assert!((t.scale - (0.025_f64 / 3.0 * 1.5).sqrt()).abs() < 1e-12, "{t:?}");
-        assert!((t.log_density(0.2 + t.scale) + 2.0 * (4.0_f64 / 3.0).ln()).abs() < 1e-12);
+        assert!((t.log_density(0.2 + 2.0 * t.scale) + 2.0 * (7.0_f64 / 3.0).ln()).abs() < 1e-12);
     }
 }

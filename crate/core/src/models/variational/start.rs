@@ -169,6 +169,16 @@ mod tests {
     }
 
     #[test]
+    fn more_rows_than_there_are_differ_too() {
+        let x = DMatrix::from_column_slice(3, 1, &[1.0, 2.0, 3.0]);
+        let rows = random_subset(&x, 7, &mut ChaCha8Rng::seed_from_u64(1));
+        let mut values: Vec<f64> = rows.iter().copied().collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        assert_eq!(values.len(), 7);
+    }
+
+    #[test]
     fn motionless_and_thin_data_give_a_usable_start() {
         let y = DMatrix::zeros(12, 1);
         let sequences = Sequences::new(vec![12], 2).unwrap();
