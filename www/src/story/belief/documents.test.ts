@@ -64,3 +64,31 @@ it("documents have the ratios and decimals of their tables", () => {
     expect([...missing, ...decimals(text).filter((decimal) => !cells.has(decimal))]).toEqual([]);
   }
 });
+
+/** The probability that a sum of normal steps, divided by the root of their number, stays within `limit` at each look. */
+function stays(limit: number, looks: number): number {
+  const step = 0.02;
+  const within = (look: number) => {
+    const count = Math.floor((limit * Math.sqrt(look)) / step);
+    return Array.from({ length: 2 * count + 1 }, (_, i) => (i - count) * step);
+  };
+  const normal = (x: number) => (step * Math.exp(-0.5 * x * x)) / Math.sqrt(2 * Math.PI);
+  let [places, masses] = [within(1), within(1).map(normal)];
+  for (let look = 2; look <= looks; look++) {
+    const next = within(look);
+    masses = next.map((y) => places.reduce((sum, x, i) => sum + masses[i]! * normal(y - x), 0));
+    places = next;
+  }
+  return masses.reduce((sum, mass) => sum + mass, 0);
+}
+
+it("the limit of Pocock's rule is that of its looks", () => {
+  let [low, high] = [1.5, 3];
+  for (let halvings = 0; halvings < 8; halvings++) {
+    const middle = (low + high) / 2;
+    [low, high] = stays(middle, 3) > 0.95 ? [low, middle] : [middle, high];
+  }
+  const limits = [...comparison.replace(/\s+/g, " ").matchAll(/rule for three looks \(([\d.]+) %/g)];
+  expect(limits.map(([, limit]) => Number(limit))).toEqual([2.2, 2.2]);
+  expect(Math.abs(100 * (1 - stays(low, 1)) - 2.2)).toBeLessThan(0.1);
+});
