@@ -368,6 +368,15 @@ mod tests {
     }
 
     #[test]
+    fn phases_are_scaled_from_zero_to_one() {
+        let trials = [11, 8].map(|frames| Trial { y: DMatrix::zeros(frames, 1), whole: true });
+        let mut maps = [0.5, 0.3].map(|start| PhaseMap { start, rate: 0.1 });
+        normalise(&trials, &mut maps);
+        let (first, last) = phase_range(&trials, &maps);
+        assert!(first.abs() < 1e-12 && (last - 1.0).abs() < 1e-12, "{maps:?}");
+    }
+
+    #[test]
     fn aligns_reaches_of_different_lengths() {
         let reach = |frames: usize, early: f64| {
             DMatrix::from_fn(frames, 2, |t, d| {

@@ -98,3 +98,14 @@ fn variance(latents: &[DMatrix<f64>]) -> f64 {
         latents.iter().flat_map(|x| x.row_iter().map(|row| (row - &mean).norm_squared()).collect::<Vec<_>>());
     rows.sum::<f64>() / count.max(1) as f64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_variance_is_a_mean_over_all_rows() {
+        let column = |values: &[f64]| DMatrix::from_column_slice(values.len(), 1, values);
+        assert!((variance(&[column(&[1.0, 3.0]), column(&[5.0, 7.0])]) - 5.0).abs() < 1e-12);
+    }
+}

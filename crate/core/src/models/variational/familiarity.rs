@@ -127,6 +127,12 @@ mod path_density_tests {
             }
         }
         assert_relative_eq!(density, expected, epsilon = 1e-9);
+        // One number that is off by 0.3 in the last of ten frames, as exact as its prediction.
+        let mut off = own.clone();
+        off[0][(11, 0)] += 0.3;
+        let variance = learned.predict(&own, 11).unwrap()[0].product.variance;
+        let lost = density - learned.mean_log_density(&[off]).unwrap().unwrap();
+        assert_relative_eq!(lost, 0.5 * 0.09 / variance / 10.0, max_relative = 1e-9);
         let other = path(&model.alpha.map_with_location(|from, to, a| if from == to { a } else { 50.0 * a }));
         assert!(learned.mean_log_density(&[other]).unwrap().unwrap() < density);
         assert_eq!(learned.mean_log_density(&[start]).unwrap(), None);

@@ -304,6 +304,16 @@ mod tests {
     }
 
     #[test]
+    fn the_head_looks_down_to_the_hands() {
+        for clip in clips() {
+            for frame in 0..clip.frames() {
+                let gaze = clip.world_pose(frame).rotations[joint::HEAD] * Vector3::z();
+                assert!((-0.4..-0.02).contains(&gaze.y), "{}: {gaze}", clip.name);
+            }
+        }
+    }
+
+    #[test]
     fn the_body_sits_on_a_chair_with_its_feet_on_the_floor() {
         for clip in clips() {
             let first = clip.world_pose(0).positions;
