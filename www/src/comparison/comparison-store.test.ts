@@ -177,6 +177,8 @@ describe("a comparison", () => {
     await over;
     expect(comparison.ending.words).toBe("6 of 6 trainings done.");
     expect(finished()).toHaveLength(6);
+    // The worker that follows knows no results: it gets the file.
+    expect(workers.asked("addOutcome").filter(([from]) => typeof from === "string")).toHaveLength(2);
     const { text, finished: all } = comparison.shown!.results;
     expect((await workers.desk.run((worker) => worker.openResults(text))).finished).toEqual(all);
   });

@@ -37,6 +37,7 @@ it("waits until both hands have let go", async () => {
   expect(parts()).toEqual([["left", "right"]]);
   vi.useRealTimers();
   trainings()[0]?.go();
+  await workers.settled();
   // A part of the program arrives while the model learns.
   await vi.waitFor(() => expect(store.drawn?.pads).toEqual([0, 1]));
 });

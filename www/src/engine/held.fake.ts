@@ -19,7 +19,7 @@ type Answer<Call extends Name> = Awaited<ReturnType<AllCalls[Call]>>;
 type Work = (...given: unknown[]) => unknown;
 
 /** A call that waits for the test. */
-export interface HeldCall<Call extends Name> {
+interface HeldCall<Call extends Name> {
   given: Given<Call>;
   /** The number of the worker, counted from 0 in the order of their starts. */
   worker: number;
@@ -42,7 +42,10 @@ export const hashOf = (text: string) => using(Model.fromJson(text), (model) => m
 /** The workers that answer: what an earlier test left behind does not reach into a later one. */
 let newest: HeldWorkers | null = null;
 
-/** Tests share one program: there is one open model, one library and so on, whatever the number of workers. */
+/**
+ * Tests share one program: there is one open model, library and training, whatever the number of workers, and
+ * nothing is copied on the way. A test that needs two trainings lets one go after the other.
+ */
 export class HeldWorkers implements WholeWorkers {
   readonly #calls: { name: Name; given: unknown[] }[] = [];
   readonly #held: { name: Name; call: HeldCall<Name> }[] = [];
@@ -146,6 +149,8 @@ export class HeldWorkers implements WholeWorkers {
   async #ask(name: Name, given: unknown[], worker: number, die: (problem: Error) => void): Promise<unknown> {
     if (newest !== this) return new Promise(() => {});
     this.#calls.push({ name, given });
+    const signal = given.find((value) => value instanceof AbortSignal);
+    signal?.throwIfAborted();
     const work = this.#answers.get(name) ?? this.#real(name);
     const atWork = async () => {
       this.#atWork += 1;
@@ -157,14 +162,29 @@ export class HeldWorkers implements WholeWorkers {
     };
     if (!this.#holding.has(name)) return atWork();
     return new Promise((end, fail) => {
-      const go = () => void atWork().then(end, fail);
-      const late = async () => {
+      let over = false;
+      const ends =
+        <Values extends unknown[], Result>(way: (...values: Values) => Result) =>
+        (...values: Values) => {
+          over = true;
+          return way(...values);
+        };
+      const go = ends(() => void atWork().then(end, fail));
+      const late = ends(async () => {
         const answer = (await atWork()) as Answer<Name>;
         return () => end(answer);
+      });
+      const call = {
+        given: given as Given<Name>,
+        worker,
+        go,
+        late,
+        end: ends(end),
+        fail: ends(fail),
+        die: ends(die),
       };
-      this.#held.push({ name, call: { given: given as Given<Name>, worker, end, go, late, fail, die } });
-      const signal = given.find((value) => value instanceof AbortSignal);
-      signal?.addEventListener("abort", go, { once: true });
+      this.#held.push({ name, call });
+      signal?.addEventListener("abort", () => over || go(), { once: true });
     });
   }
 }

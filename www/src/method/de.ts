@@ -18,7 +18,7 @@ export const words: MethodWords = {
       "Mit γ = 1, wie in den Artikeln, ist das eine untere Schranke der logarithmierten Evidenz. Im Labor ist γ für einen Körper sonst gleich Q/D, latente Dimensionen durch Spalten des Teils: keine Schranke, aber latente Zustände, die leichter vorherzusagen sind (Urtasun et al. 2006). Ein Modell eines Körpers, dessen Bewegung nicht weitergeht, lernt dann aus eigenen Rollouts, die nur die Verteilung von u ändern. „Wie in den Artikeln“, unter Lernen, trainiert mit γ = 1 und ohne eigene Rollouts, wie es „Modelle vergleichen“ immer tut; eine Bibliothek, die du lernst, hat γ = 1.",
     terms:
       "Jeder Term F eines Gaußprozesses stützt sich auf wenige Stützpunkte statt auf alle Bilder (Titsias und Lawrence 2010). Für R Zeilen und C Spalten, mit der Varianz n des Beobachteten und der Kovarianz K der Stützpunkte:",
-    sums: "Ψ₂ und b sind Summen erwarteter Produkte über die Bilder: zweier Werte des Kerns, und eines Werts des Kerns mit dem Zielwert. c₂ ist die Summe der erwarteten Quadrate der Zielwerte, und Δ das, was die Stützpunkte nicht erklären. Die Zeit einer Iteration wächst linear mit der Zahl der Bilder.",
+    sums: "Ψ₂ und b sind Summen erwarteter Produkte über die Bilder: zweier Werte des Kerns, und eines Werts des Kerns mit dem Beobachteten. c₂ ist die Summe der erwarteten Quadrate des Beobachteten, und Δ das, was die Stützpunkte nicht erklären. Die Zeit einer Iteration wächst linear mit der Zahl der Bilder.",
   },
   steps: {
     title: "Woher die Schranke kommt",

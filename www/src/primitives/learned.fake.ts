@@ -4,7 +4,7 @@ import type { LearningJob } from "../engine/library-protocol";
 import type { TrainingClip } from "../engine/protocol";
 
 /** A second of a made clip; `id`: another number for each. */
-export const madeClip = (id: number, sample: string): TrainingClip => ({
+const madeClip = (id: number, sample: string): TrainingClip => ({
   ...{ id, source: { sample }, first: 0, end: 60 },
 });
 

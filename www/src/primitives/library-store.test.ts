@@ -79,6 +79,7 @@ describe("a library", () => {
     expect(library.current?.title).toBe("second.json");
     // The worker that refused the file was replaced, and the next worker has the open library.
     expect(JSON.parse(await library.combinationText()).provenance.settings.seed).toBe(2);
+    expect(workers.asked("openLibrary").slice(-2)).toEqual([["{}"], [libraryText(2)]]);
     await library.undo();
     expect(library.current?.text).toBe(libraryText(1));
     expect(library.before).toBeNull();

@@ -2,6 +2,7 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 import { seriesText, seriesTmpText } from "../engine/documents.fake";
 import { HeldWorkers } from "../engine/held.fake";
 import { FakeAddressBar } from "../settings/address.fake";
+import { initialSettings } from "../settings/settings";
 import { SettingsStore } from "../settings/settings-store";
 import { download } from "../ui/download";
 import { visitor } from "../unsaved/choice-dialog.fake";
@@ -106,6 +107,10 @@ describe("a training", () => {
       ["leg", 1, 2],
     ]);
     expect(info.sequences.map(({ name }) => name)).toEqual(["a.csv"]);
+    const { order, framesPerSecond, seed } = initialSettings();
+    expect(workers.asked("trainSeries")[0]?.[0].settings).toMatchObject({
+      ...{ latent: 1, dynamicsIps: 2, poseIps: 2, maxIterations: 20, order, framesPerSecond, seed },
+    });
     expect(trainingLatents?.map(({ length }) => length)).toEqual([10, 10]);
     expect(model.recorded?.info.name).toBe("a.csv");
     expect([model.clock.lastFrame, model.couplings.altered]).toEqual([14, false]);

@@ -359,6 +359,9 @@ describe("a run that stopped before its bound had settled", () => {
 
   it("has the same model after more iterations, from its own worker or trained again", async () => {
     workers.letGo("train");
+    workers.answer("goOn", (real, more, report, signal) =>
+      real(more, (sent) => report({ ...sent, elapsed: 900 }), signal),
+    );
     const models: unknown[] = [];
     for (const keeps of [true, false]) {
       await training.start();
@@ -366,10 +369,28 @@ describe("a run that stopped before its bound had settled", () => {
       // Another training takes the worker of the first.
       if (!keeps) await training.start();
       await training.continue(run);
-      expect([iterations(run), run.settings.maxIterations]).toEqual([upTo(20), 20]);
+      expect([iterations(run), run.settings.maxIterations, run.elapsed > 900]).toEqual([upTo(20), 20, true]);
       models.push(run.model?.text);
     }
     expect([models[1] === models[0], workers.asked("goOn").length]).toEqual([true, 2]);
+  });
+
+  it("loses nothing when it is cancelled while it is trained again", async () => {
+    const run = await stopped();
+    await training.continue(run);
+    const other = training.start();
+    await workers.settled();
+    worker(1).go();
+    await other;
+    const again = training.continue(run);
+    await workers.settled();
+    training.cancel();
+    await again;
+    expect([run.state, iterations(run)]).toEqual(["cancelled", upTo(20)]);
+    workers.letGo("train");
+    await training.continue(run);
+    expect([run.state, iterations(run), run.settings.maxIterations]).toEqual(["done", upTo(30), 30]);
+    expect(JSON.parse(run.model!.text).provenance.iterations).toBe(30);
   });
 
   it("cannot continue when it has been removed", async () => {

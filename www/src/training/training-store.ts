@@ -161,7 +161,7 @@ export class TrainingStore extends Job {
 
   /** How many iterations a run gets on top of its own when it continues: none if it has not used them all. */
   moreIterations({ state, portion }: Run): number {
-    return state === "cancelled" ? 0 : portion;
+    return state === "done" ? portion : 0;
   }
 
   /**
@@ -316,22 +316,22 @@ export class TrainingStore extends Job {
     return pool.run(async (worker) => {
       begun();
       const { clips, settings, portion } = run;
+      const more = settings.maxIterations - portion;
       let seconds = 0;
       const first: typeof report = (sent) => {
         seconds = sent.elapsed;
-        return report(sent);
+        const isWanted = report(sent);
+        run.catchingUp ||= more > 0;
+        return isWanted;
       };
+      const next: typeof report = (sent) => report({ ...sent, elapsed: seconds + sent.elapsed });
       const job = { clips, settings: { ...settings, maxIterations: portion }, frames };
       let outcome = await worker.train(job, first, signal);
       // A training that was extended is another one than a training that was longer from the beginning.
-      const more = settings.maxIterations - portion;
-      if (more > 0 && outcome.reason === "iterations")
-        outcome = await worker.goOn(
-          more,
-          (sent) => report({ ...sent, elapsed: seconds + sent.elapsed }),
-          signal,
-        );
-      if (isOpen(outcome)) this.#paused.keep(run, worker, bestBound(run));
+      const isWhole = more <= 0 || outcome.reason === "iterations";
+      if (more > 0 && isWhole) outcome = await worker.goOn(more, next, signal);
+      // A worker that is not yet where the run stopped cannot continue the run.
+      if (isOpen(outcome) && isWhole && !run.catchingUp) this.#paused.keep(run, worker, bestBound(run));
       return outcome;
     }, signal);
   }
