@@ -210,7 +210,7 @@ export const learn: LearnWords = {
     joints: (name, count) => `${name} (${count} Gelenke)`,
     heads: { framesPerSecond: "Bilder/s", maxIterations: "höchstens", poseWeight: "Gewicht" },
     comparable:
-      "Vergleichbar nur zwischen Trainings mit denselben Bildern und demselben Gewicht der Posen; das Diagramm zeigt diese.",
+      "Vergleichbar nur bei denselben Bildern und demselben Gewicht der Posen; das Diagramm zeigt diese.",
   },
   bound: {
     name: "Untere Schranke (ELBO)",

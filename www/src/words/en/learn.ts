@@ -206,7 +206,7 @@ export const learn = {
     joints: (name: string, count: number) => `${name} (${count} joints)`,
     heads: { framesPerSecond: "fps", maxIterations: "at most", poseWeight: "weight" },
     comparable:
-      "Comparable only between trainings on the same frames with the same weight of the poses; the chart shows those.",
+      "Comparable only on the same frames with the same weight of the poses; the chart shows those.",
   },
   bound: {
     name: "Evidence lower bound",
