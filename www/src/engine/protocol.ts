@@ -300,6 +300,8 @@ export interface PlannedTraining extends TrainingCost {
 export interface TrainingJob {
   clips: TrainingClip[];
   settings: TrainingSettings;
+  /** How many iterations the training is allowed on top of those of its settings. */
+  more: number;
   /** The length of the rollout that determines the health of the model. */
   frames: number;
 }

@@ -9,7 +9,7 @@ const madeClip = (id: number, sample: string): TrainingClip => ({
 });
 
 const workers = new HeldWorkers();
-/** What is known of the body of made clips. */
+/** The description of a clip that the project makes: its joints and parts, among others. */
 export const { info: madeInfo } = await workers.started().clips.readClip({ sample: "walk-1" });
 const { parts } = madeInfo.presets.find(({ id }) => id === "lower-upper")!;
 

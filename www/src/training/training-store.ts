@@ -316,22 +316,12 @@ export class TrainingStore extends Job {
     return pool.run(async (worker) => {
       begun();
       const { clips, settings, portion } = run;
-      const more = settings.maxIterations - portion;
-      let seconds = 0;
-      const first: typeof report = (sent) => {
-        seconds = sent.elapsed;
-        const isWanted = report(sent);
-        run.catchingUp ||= more > 0;
-        return isWanted;
-      };
-      const next: typeof report = (sent) => report({ ...sent, elapsed: seconds + sent.elapsed });
-      const job = { clips, settings: { ...settings, maxIterations: portion }, frames };
-      let outcome = await worker.train(job, first, signal);
       // A training that was extended is another one than a training that was longer from the beginning.
-      const isWhole = more <= 0 || outcome.reason === "iterations";
-      if (more > 0 && isWhole) outcome = await worker.goOn(more, next, signal);
+      const more = settings.maxIterations - portion;
+      const job = { clips, settings: { ...settings, maxIterations: portion }, more, frames };
+      const outcome = await worker.train(job, report, signal);
       // A worker that is not yet where the run stopped cannot continue the run.
-      if (isOpen(outcome) && isWhole && !run.catchingUp) this.#paused.keep(run, worker, bestBound(run));
+      if (isOpen(outcome) && !run.catchingUp) this.#paused.keep(run, worker, bestBound(run));
       return outcome;
     }, signal);
   }

@@ -136,6 +136,7 @@ const trainee: Omit<Trainee, "start"> = {
     kept?.trainer.free();
     kept = null;
     const trainer = using(await clipSet(job.clips), (set) => new Trainer(set, job.settings));
+    trainer.extend(job.more);
     kept = { trainer, job };
     return carryOut(report, signal, start);
   },

@@ -38,7 +38,7 @@ export const words: Replies = {
   },
   end: {
     unknown:
-      "Das weiß niemand: wer in einem aufgenommenen Gang wirklich wen treibt. Das weiß man zum Teil: wann Menschen eine neue Bewegung natürlich nennen. Und nur um einen Gang vorherzusagen, fanden wir dieses Modell, trainiert wie in den Artikeln, nicht besser als zwei viel einfachere, das TMP und das rhythmische DMP.",
+      "Niemand weiß, wer in einem aufgenommenen Gang wirklich wen treibt. Wann Menschen eine neue Bewegung natürlich nennen, weiß man nur zum Teil. Und nur um einen Gang vorherzusagen, fanden wir dieses Modell, trainiert wie in den Artikeln, nicht besser als zwei viel einfachere, das TMP und das rhythmische DMP.",
     doors: {
       draw: "Deine zwei Hände koppeln",
       lab: "An den Kopplungen ziehen",

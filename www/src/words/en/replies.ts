@@ -54,7 +54,7 @@ export const words: Replies = {
   },
   end: {
     unknown:
-      "What nobody knows: who really drives whom in a recorded walk. What is known in part: when people will call a new movement natural. And to foresee a walk alone, we did not find this model, trained as in the papers, better than two far simpler ones, the TMP and the rhythmic DMP.",
+      "Nobody knows who really drives whom in a recorded walk. When people will call a new movement natural is known only in part. And to foresee a walk alone, we did not find this model, trained as in the papers, better than two far simpler ones, the TMP and the rhythmic DMP.",
     doors: {
       draw: "Couple your two hands",
       lab: "Drag the couplings",
