@@ -167,3 +167,9 @@ fn numbers_are_written_with_the_fewest_digits() {
     }
     assert_eq!(write(&Value::Number(f64::INFINITY)), Err(NotFinite(f64::INFINITY)));
 }
+
+#[test]
+fn a_matrix_has_rows_as_wide_as_the_first() {
+    let error = crate::json::rows::matrix_from_rows(&[vec![1.0, 2.0], vec![3.0]]).unwrap_err();
+    assert_eq!(error, "expected rows of 2 numbers, found 1 in row 1");
+}

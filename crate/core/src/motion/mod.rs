@@ -59,3 +59,6 @@ pub use period::{Period, RHYTHMIC, period};
 pub use recording::{Recording, UnknownJoint};
 pub use same_body::BodyMismatch;
 pub use skeleton::Skeleton;
+
+#[cfg(test)]
+mod tests;

@@ -311,3 +311,36 @@ impl TmpLearner {
         Ok(model)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::data::movements::Sequence;
+    use nalgebra::DMatrix;
+
+    #[test]
+    fn from_ten_primitives_on_every_second_number_is_tried() {
+        let y = DMatrix::from_fn(30, 20, |t, k| (0.4 * ((k + 1) * t) as f64).sin());
+        let movements = Movements { y: vec![y], sequences: vec![Sequence { frames: 30, whole: true }] };
+        let grown = |count: usize, most_primitives: usize| {
+            let settings = TmpSettings { primitives: Some(count), ..TmpSettings::default() };
+            let limits = Limits { most_primitives, ..LIMITS };
+            let mut learner = TmpLearner::within(&movements, &settings, limits).unwrap();
+            learner.grow().unwrap();
+            learner.count()
+        };
+        assert_eq!([grown(9, 20), grown(10, 20), grown(12, 20), grown(12, 13)], [10, 12, 14, 13]);
+    }
+
+    /// The most sweeps of a training: each number twice, then the best and its second start to the end.
+    #[test]
+    fn progress_names_the_most_sweeps() {
+        let y = DMatrix::from_fn(30, 2, |t, k| (0.4 * ((k + 1) * t) as f64).sin());
+        let movements = Movements { y: vec![y], sequences: vec![Sequence { frames: 30, whole: true }] };
+        let most = [None, Some(2)].map(|primitives| {
+            let settings = TmpSettings { primitives, ..TmpSettings::default() };
+            TmpLearner::new(&movements, &settings).unwrap().progress().max_iterations
+        });
+        assert_eq!(most, [2 * (10 + 5 + 2) * 30 + 2 * 150, 150]);
+    }
+}

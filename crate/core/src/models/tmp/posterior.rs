@@ -51,7 +51,8 @@ pub struct Posterior {
     /// The set of weights of each trial: its own, or one set for all trials.
     sets: Vec<usize>,
     range: (f64, f64),
-    features: Vec<TrialFeatures>,
+    /// The features of each trial at its map.
+    pub features: Vec<TrialFeatures>,
     v_log_determinant: f64,
     floor: f64,
 }

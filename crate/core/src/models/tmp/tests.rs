@@ -8,6 +8,7 @@ use crate::models::rollout::request::{Handles, PosePush};
 use crate::models::tmp::learner::Limits;
 use crate::models::tmp::partial_trial::PartialTrial;
 use crate::models::tmp::posterior::Posterior;
+use crate::models::tmp::trial_features::TrialFeatures;
 use crate::models::training::interface::Training;
 use crate::models::training::progress::EndReason;
 use crate::models::training::settings::TmpSettings;
@@ -86,6 +87,40 @@ fn no_update_lowers_the_bound() {
             }
             assert!(bound > first + 10.0, "seed {seed}, Q {count}: {first} -> {bound}");
         }
+    }
+}
+
+/// The phases move by the part of the bound that depends on them, which must rank moves as the whole bound does.
+#[test]
+fn phases_move_where_the_bound_rises() {
+    for rhythmic in [true, false] {
+        let mut trials = problem(4, rhythmic);
+        trials.pop();
+        let alignment = Alignment::new(&trials, None);
+        let mut posterior = Posterior::start(&trials, &alignment, &[3, 1], 3, false).unwrap();
+        for _ in 0..4 {
+            posterior.update_primitives().unwrap();
+            posterior.update_weights().unwrap();
+            posterior.update_hyperparameters(&trials).unwrap();
+        }
+        let mut moves = 0;
+        for step in [0.03, 0.01, 0.003, 0.001] {
+            let mut expected = posterior.clone();
+            for (s, trial) in trials.iter().enumerate() {
+                for (shift, stretch) in [(step, 0.0), (-step, 0.0), (0.0, 2.0 * step), (0.0, -2.0 * step)] {
+                    let mut moved = expected.clone();
+                    moved.maps[s] = moved.maps[s].moved(trial.y.nrows(), shift, stretch);
+                    moved.features[s] = TrialFeatures::new(&moved.kernel, trial, &moved.maps[s]);
+                    if moved.bound(&trials).unwrap() > expected.bound(&trials).unwrap() {
+                        expected = moved;
+                        moves += 1;
+                    }
+                }
+            }
+            posterior.update_phases(&trials, step);
+            assert_eq!(posterior.maps, expected.maps, "{step}");
+        }
+        assert!(moves > 3, "{moves} moves");
     }
 }
 

@@ -168,4 +168,12 @@ mod tests {
     fn a_motionless_path_has_no_cycle() {
         assert!(Cycle::new(&[DMatrix::from_element(90, 2, 0.3)], 2, 30.0).is_none());
     }
+
+    /// All states are equally near: the first one counts.
+    #[test]
+    fn the_middle_of_the_cycle_has_a_phase() {
+        let square = DMatrix::from_row_slice(8, 1, &[1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0, -1.0]);
+        let cycle = Cycle::new(&[square], 1, 4.0).unwrap();
+        assert_eq!(cycle.place(0, &[0.0]), Some(CyclePlace { phase: 0.0, distance: 1.0 }));
+    }
 }

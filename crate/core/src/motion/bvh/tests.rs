@@ -232,6 +232,20 @@ fn odd_names_are_kept_with_a_warning() {
 }
 
 #[test]
+fn a_warning_quotes_three_names() {
+    let quoted = |count: usize| {
+        let joint = |k| format!("JOINT a:{k} {{ OFFSET 0 1 0 CHANNELS 0 }} ");
+        let joints: String = (0..count).map(joint).collect();
+        let text = format!("HIERARCHY ROOT r {{ OFFSET 0 0 0 CHANNELS 1 Yrotation {joints}}}");
+        let warnings =
+            read("a", format!("{text} MOTION\nFrames: 1\nFrame Time: .1\n0").as_bytes()).unwrap().warnings;
+        warnings[0].split(['(', ')']).nth(1).unwrap().to_owned()
+    };
+    assert_eq!(quoted(3), "\"a:0\", \"a:1\", \"a:2\"");
+    assert_eq!(quoted(4), "\"a:0\", \"a:1\", \"a:2\", …");
+}
+
+#[test]
 fn frozen_and_empty_rows_give_a_warning() {
     let rows = "2 2 3 4 5 6 7 8 9\n";
     let clip = read("a", (with("Frames: 3", "Frames: 7") + &rows.repeat(4)).as_bytes()).unwrap();
@@ -248,6 +262,18 @@ fn positions_of_a_joint_replace_its_offset() {
     let clip = read("a", text.as_bytes()).unwrap();
     let places = clip.into_clip().world_pose(0).positions;
     assert_eq!(places[1], nalgebra::Vector3::new(1.0, 7.21, 3.0));
+}
+
+#[test]
+fn an_inner_joint_that_moves_along_one_axis_is_written_with_its_position() {
+    let text =
+        with("3 Zrotation", "6 Xposition Yposition Zposition Zrotation").replace("7 8 9", "0 5.21 0 7 8 9");
+    let clip = read("a", text.replacen("0 5.21 0 7", "1.5 5.21 0 7", 1).as_bytes()).unwrap().with_all_rows();
+    let again = read("a", write(&clip).as_bytes()).unwrap();
+    assert_eq!(
+        (&again.skeleton.joints[1].channels, &again.values),
+        (&clip.skeleton.joints[1].channels, &clip.values)
+    );
 }
 
 #[test]

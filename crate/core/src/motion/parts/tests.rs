@@ -154,6 +154,22 @@ fn sides_without_names_follow_the_toes() {
 }
 
 #[test]
+fn a_body_with_one_arm_has_no_parts_for_arms() {
+    let one_armed = body(&[
+        ("Hips", None, [0.0, 90.0, 0.0]),
+        ("LeftUpLeg", Some(0), [10.0, 0.0, 0.0]),
+        ("LeftFoot", Some(1), [0.0, -80.0, 0.0]),
+        ("RightUpLeg", Some(0), [-10.0, 0.0, 0.0]),
+        ("RightFoot", Some(3), [0.0, -80.0, 0.0]),
+        ("Spine", Some(0), [0.0, 20.0, 0.0]),
+        ("LeftArm", Some(5), [20.0, 20.0, 0.0]),
+        ("LeftHand", Some(6), [40.0, 0.0, 0.0]),
+    ]);
+    let ids: Vec<String> = presets(&one_armed).into_iter().map(|preset| preset.id).collect();
+    assert_eq!(ids, ["whole", "lower-upper"]);
+}
+
+#[test]
 fn a_body_that_is_no_person_is_one_part() {
     let tail =
         body(&[("a", None, [0.0; 3]), ("b", Some(0), [0.0, 1.0, 0.0]), ("c", Some(1), [0.0, 1.0, 0.0])]);

@@ -151,7 +151,7 @@ fn made(name: &str, skeleton: Skeleton, values: DMatrix<f64>) -> Clip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::period;
+    use crate::motion::{period, sha256};
     use nalgebra::Vector3;
     use std::collections::HashSet;
 
@@ -208,6 +208,13 @@ mod tests {
             assert_eq!(Clip { name: clip(info.id).unwrap().name, ..made }, clip(info.id).unwrap());
         }
         assert!(trial("run", 1, 4.0).is_none());
+    }
+
+    /// Models that were trained on them name their clips by these hashes.
+    #[test]
+    fn the_clips_are_those_of_earlier_versions() {
+        let hashes: String = clips().into_iter().map(|clip| clip.sha256).collect();
+        assert_eq!(sha256(hashes.as_bytes())[..16], *"2172f92f5db0442e");
     }
 
     #[test]

@@ -138,7 +138,10 @@ fn the_axis_is_found_in_every_world_or_named_as_possible() {
     for place in [Vector3::new(120.0, 0.0, 260.0), Vector3::new(-200.0, 0.0, -400.0)] {
         clips.extend([("crawl", crawl(place)), ("swim", swim(place)), ("roll", roll(place))]);
     }
+    // In how many of the twelve worlds the axis is right, and certain.
+    let mut counts = Vec::new();
     for (name, clip) in &clips {
+        let mut count = [0, 0];
         for up in UpAxis::ALL {
             for with_rest in [false, true] {
                 let turned = in_world(clip, up.to_y_up().inverse(), with_rest);
@@ -149,8 +152,37 @@ fn the_axis_is_found_in_every_world_or_named_as_possible() {
                     _ => axis == up || others.contains(&up),
                 };
                 assert!(is_right, "{name}, {up:?}, {with_rest}: {axis:?} {others:?}");
+                count[0] += usize::from(axis == up);
+                count[1] += usize::from(others.is_empty());
             }
         }
+        counts.push(count);
+    }
+    let moving = [[12, 12], [8, 0], [11, 7]];
+    assert_eq!(counts, [&[[12, 12], [0, 0], [0, 0], [7, 7], [7, 7]][..], &moving, &moving].concat());
+}
+
+/// An animal whose legs point to the sides, and down by `down`, with its root at `place`.
+fn animal(down: f64, place: [f64; 3]) -> Clip {
+    let joint = "\n{\nCHANNELS 3 Zrotation Xrotation Yrotation\n";
+    let leg = |name: &str, x: f64, y: f64| {
+        let foot = format!("End Site\n{{\nOFFSET {} 0 {}\n}}\n", 8.0 * x, -down);
+        format!("JOINT {name}{joint}OFFSET {x} {y} 0\n{foot}}}\n")
+    };
+    let legs = [leg("a", 1.0, 9.0), leg("b", -1.0, 9.0), leg("c", 1.0, -9.0), leg("d", -1.0, -9.0)];
+    let places = joint.replace("S 3", "S 6 Xposition Yposition Zposition");
+    let body = format!("HIERARCHY\nROOT body{places}OFFSET 0 0 0\n{}}}\n", legs.concat());
+    let [x, y, z] = place;
+    let frames = format!("{x} {y} {z}{}\n", " 0".repeat(15)).repeat(20);
+    let text = format!("{body}MOTION\nFrames: 20\nFrame Time: 0.1\n{frames}");
+    crate::motion::bvh::read("animal.bvh", text.as_bytes()).unwrap().into_clip()
+}
+
+#[test]
+fn a_body_without_a_head_stands_on_its_limbs_or_along_its_longest_side() {
+    for place in [[0.0; 3], [70.0, 90.0, 40.0], [-70.0, -90.0, -40.0]] {
+        let axes = [0.5, 8.0].map(|down| animal(down, place).search_up_axis().axis);
+        assert_eq!(axes, [UpAxis::Y, UpAxis::Z], "{place:?}");
     }
 }
 
