@@ -105,7 +105,7 @@ await main(async () => {
   // The tests compile the same packages; a measurement needs fewer.
   const packages = values.quick ? NATIVE : ["--package", "vcgpdm-cli", "--package", "vcgpdm-lab"];
   await run("cargo", "build", "--profile", profile, ...packages, "--bins", "--example", "speed");
-  await buildVariant(folder, { more: ["speed"], small: !values.quick });
+  await buildVariant(folder, ["speed"], !values.quick);
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));
   writeFileSync(join(folder, "index.html"), "<!doctype html><title>speed</title>");

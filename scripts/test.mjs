@@ -16,6 +16,7 @@ import { nodeTests, often } from "./node-tests.mjs";
 import { checkRustImports } from "./rust-imports.mjs";
 import { weigh } from "./site.mjs";
 import { installNpmPackages, installTools, oldestRust } from "./tools.mjs";
+import { WASM_TESTS } from "./wasm.mjs";
 
 /** In rustdoc's list of all items of the library. */
 const MOST_PUBLIC_ITEMS = 120;
@@ -178,8 +179,7 @@ async function recordings() {
 
 async function rustInWasm() {
   env.CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER = `node ${at("scripts/wasm-tests.mjs")}`;
-  const wasm = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
-  await run("cargo", "test", ...wasm, "--lib", "--tests");
+  await run("cargo", "test", ...WASM_TESTS, "--lib", "--tests");
 }
 
 async function page() {

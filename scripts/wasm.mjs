@@ -9,11 +9,9 @@ import { completePackage, entries, writeNodeEntry } from "./package.mjs";
 import { addresses } from "./release.mjs";
 import { at, Failure, filesUnder, isUpToDate, output, root, run, runModule, whenChanged } from "./run.mjs";
 
+const WHOLE = { folder: "web", features: ["training"] };
 /** @type {{ folder: string, features: string[] }[]} */
-const TARGETS = [
-  { folder: "web", features: ["training"] },
-  { folder: "player", features: [] },
-];
+const TARGETS = [WHOLE, { folder: "player", features: [] }];
 
 // The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses
 // others.
@@ -41,6 +39,8 @@ const compile = (/** @type {string[]} */ features, small = true) => [
   ...["--config", "profile.release.opt-level=2", ...(small ? [] : QUICK)],
   ...["--no-default-features", "--features", features.join(",")],
 ];
+/** What `cargo test` and a quick variant compile for wasm. */
+export const WASM_TESTS = ["--locked", "--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
 export const BINDGEN = ["--locked", "--profile", "tools", "--package", "bindgen"];
 
 /** The folder for cargo's output. */
@@ -65,7 +65,7 @@ export function compileWasm({ small = true } = {}) {
   const inputs = rustSources();
   const outputs = TARGETS.map(({ folder }) => at(".tools/wasm", folder, "package.json"));
   const state = stateOf("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, small);
-  return whenChanged("wasm", state, () => compileTargets(compiled, { small }));
+  return whenChanged("wasm", state, () => compileTargets({ small }));
 }
 
 /** The state of a small or a quick build. A small one from an earlier build is good for everything. */
@@ -81,27 +81,23 @@ function stateOf(
   return state(small || isUpToDate(name, state(true)));
 }
 
-/**
- * The wasm with its JavaScript for each target in a folder below `place`; `more` features for all. Without `small`
- * the first target is the only one that is compiled.
- */
-async function compileTargets(
-  /** @type {string} */ place,
-  { more = /** @type {string[]} */ ([]), small = true } = {},
-) {
-  const wasm = join(metadata().target_directory, "wasm32-unknown-unknown/release/vcgpdm_wasm.wasm");
-  // Neither of the two keeps all processors busy, so both run at once.
-  const first = [...(TARGETS[0]?.features ?? []), ...more];
-  await Promise.all([run("cargo", ...compile(first, small)), run("cargo", "build", ...BINDGEN)]);
-  for (const [i, { folder, features }] of TARGETS.entries()) {
-    if (i > 0 && !small) {
-      cpSync(join(place, TARGETS[0]?.folder ?? ""), join(place, folder), { recursive: true });
-      continue;
-    }
-    if (i > 0) await run("cargo", ...compile([...features, ...more]));
-    await run("cargo", "run", "--quiet", ...BINDGEN, "--", wasm, join(place, folder));
-    writeFileSync(join(place, folder, "package.json"), '{"type":"module"}\n');
+/** The wasm with its JavaScript for each target. Without `small` the first target is the only one that is compiled. */
+async function compileTargets({ small = true } = {}) {
+  for (const { folder, features } of TARGETS) {
+    const place = join(compiled, folder);
+    if (small || folder === WHOLE.folder) await compileTarget(compile(features, small), place);
+    else cpSync(join(compiled, WHOLE.folder), place, { recursive: true });
   }
+}
+
+/** Compiles with these arguments for cargo, and writes the wasm with its JavaScript to `place`. */
+async function compileTarget(/** @type {string[]} */ args, /** @type {string} */ place) {
+  // Neither of the two keeps all processors busy, so both run at once.
+  await Promise.all([run("cargo", ...args), run("cargo", "build", ...BINDGEN)]);
+  const profile = args.includes("--release") ? "release" : "debug";
+  const wasm = join(metadata().target_directory, `wasm32-unknown-unknown/${profile}/vcgpdm_wasm.wasm`);
+  await run("cargo", "run", "--quiet", ...BINDGEN, "--", wasm, place);
+  writeFileSync(join(place, "package.json"), '{"type":"module"}\n');
 }
 
 /** Prints the declarations of the Rust structs with a program for this machine. */
@@ -131,7 +127,7 @@ export async function buildWasm({ small = true, types = true } = {}) {
   const note = await whenChanged("package", state, async () => {
     rmSync(pkg, { recursive: true, force: true });
     cpSync(compiled, pkg, { recursive: true });
-    if (small) await optimise(pkg);
+    if (small) for (const { folder } of TARGETS) await optimise(join(pkg, folder));
     const types = [at("crate/wasm/js/types.d.ts"), ...(existsSync(declarations) ? [declarations] : [])];
     completePackage(pkg, types.map((file) => readFileSync(file, "utf8")).join("\n"));
   });
@@ -139,26 +135,26 @@ export async function buildWasm({ small = true, types = true } = {}) {
   return note;
 }
 
-/** The wasm of the package with `more` features, in folders below `place`. */
-export async function buildVariant(
-  /** @type {string} */ place,
-  /** @type {{ more: string[], small: boolean }} */ how,
-) {
-  await compileTargets(place, how);
-  if (how.small) await optimise(place);
+/**
+ * The whole wasm with `more` features, in a folder below `place`. Without `small` it is compiled as for the tests in
+ * wasm, which need the same.
+ */
+export async function buildVariant(/** @type {string} */ place, /** @type {string[]} */ more, small = true) {
+  const folder = join(place, WHOLE.folder);
+  const quick = ["build", ...WASM_TESTS, "--features", more.join(",")];
+  await compileTarget(small ? compile([...WHOLE.features, ...more]) : quick, folder);
+  if (small) await optimise(folder);
   writeNodeEntry(place);
 }
 
 // Only tools read the names of producers and the features.
 const STRIP = ["--strip-producers", "--strip-target-features"];
 
-async function optimise(/** @type {string} */ place) {
-  for (const { folder } of TARGETS) {
-    const file = join(place, folder, "vcgpdm_bg.wasm");
-    // The second run still makes the file smaller; a third changes next to nothing.
-    for (const _ of ["first", "second"])
-      await runModule("binaryen/bin/wasm-opt", file, "-O3", ...STRIP, ...FEATURES, "-o", file);
-  }
+async function optimise(/** @type {string} */ folder) {
+  const file = join(folder, "vcgpdm_bg.wasm");
+  // The second run still makes the file smaller; a third changes next to nothing.
+  for (const _ of ["first", "second"])
+    await runModule("binaryen/bin/wasm-opt", file, "-O3", ...STRIP, ...FEATURES, "-o", file);
 }
 
 /** The packages of this project, by Cargo. */
