@@ -96,3 +96,40 @@ fn is_table(bytes: &[u8]) -> bool {
 fn is_number(cell: &str) -> bool {
     cell.trim().trim_matches('"').replace(',', ".").parse::<f64>().is_ok()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_format_is_known_by_its_first_bytes() {
+        let mut c3d = vec![0; 512];
+        (c3d[0], c3d[1]) = (16, 0x50);
+        for (bytes, format) in [
+            (&b"; FBX 7.3.0"[..], "an FBX file"),
+            (b"glTF\x02", "a glTF file"),
+            (b" {\"asset\": {}}", "a glTF file"),
+            (b"BLENDER-v300", "a Blender file"),
+            (b"PXR-USDC", "a USD file"),
+            (&c3d, "a C3D file"),
+            (b"PK\x03\x04", "a zip file"),
+            (b"\x93NUMPY\x01", "a zip file"),
+            (b"# made by hand\n:DEGREES\n1\n", "an AMC motion"),
+            (b":version 1.10", "an ASF skeleton"),
+            (b"# made\n:units\n", "an ASF skeleton"),
+            (b"NO_OF_FRAMES\t5", "a table whose names"),
+            (b"name\nendheader\ntime\tx\n", "a table whose names"),
+            (b"a;b\n1,5;2\n", "a table of numbers"),
+            (b"a\tb\nx\t\"2\"\n", "a table of numbers"),
+        ] {
+            let found = foreign_format(bytes).unwrap_or_default();
+            assert!(found.starts_with(format), "{}: {found:?}", bytes.escape_ascii());
+        }
+        c3d[0] = 17;
+        for bytes in
+            [&c3d[..], &c3d[..500], b"word\n1.5\n", b"a,b\n1,2,3\n", b"a,b\nx,y\n", b"a,b", b"{}", b""]
+        {
+            assert_eq!(foreign_format(bytes), None, "{}", bytes.escape_ascii());
+        }
+    }
+}

@@ -41,6 +41,12 @@ mod tests {
     use crate::motion::testing::any_clip;
     use proptest::prelude::*;
 
+    #[test]
+    fn letters_digits_and_two_signs_stay() {
+        let names = ["rig:Left-Arm_2", "Brüst 1", ":", ""].map(super::plain_name);
+        assert_eq!(names, ["Left-Arm_2", "Br_st_1", "joint", "joint"]);
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
 

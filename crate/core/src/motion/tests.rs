@@ -3,6 +3,7 @@
 //! the new fingerprints go into [`EARLIER`].
 
 use super::*;
+use crate::motion::limbs::is_within;
 use crate::motion::pose::PoseMapping;
 use crate::motion::stage_axes::UpAxis;
 use nalgebra::Vector3;
@@ -23,21 +24,15 @@ const EARLIER: [(&str, &str); 8] = [
 
 const BODIES: usize = 96;
 
-/// Which of some equally likely changes is made; the first ones change nothing.
-fn chance(random: &mut ChaCha8Rng, choices: usize) -> usize {
+/// One of some equally likely choices.
+fn choice(random: &mut ChaCha8Rng, choices: usize) -> usize {
     random.next_u32() as usize % choices
 }
 
 /// A skeleton without a joint and all below it, and the columns that remain.
 fn without(skeleton: &Skeleton, removed: usize) -> (Skeleton, Vec<usize>) {
-    let is_below = |mut joint: usize| loop {
-        match skeleton.joints[joint].parent {
-            _ if joint == removed => return true,
-            Some(parent) => joint = parent,
-            None => return false,
-        }
-    };
-    let kept: Vec<usize> = (0..skeleton.joints.len()).filter(|&joint| !is_below(joint)).collect();
+    let kept: Vec<usize> =
+        (0..skeleton.joints.len()).filter(|&joint| !is_within(skeleton, joint, removed)).collect();
     let starts = skeleton.channel_starts();
     let columns =
         kept.iter().flat_map(|&joint| (starts[joint]..).take(skeleton.joints[joint].channels.len()));
@@ -53,14 +48,14 @@ fn without(skeleton: &Skeleton, removed: usize) -> (Skeleton, Vec<usize>) {
 fn recording(seed: u64) -> Recording {
     let random = &mut ChaCha8Rng::seed_from_u64(seed);
     let ids = ["walk-1", "walk-2", "walk-wave-1", "stand-wave-1", "bottle-1"];
-    let clip = samples::clip(ids[chance(random, ids.len())]).unwrap().resample(12.0).unwrap();
+    let clip = samples::clip(ids[choice(random, ids.len())]).unwrap().resample(12.0).unwrap();
     let (mut skeleton, mut values) = (clip.skeleton, clip.values);
-    if chance(random, 3) == 0 {
-        let removed = 1 + chance(random, skeleton.joints.len() - 1);
+    if choice(random, 3) == 0 {
+        let removed = 1 + choice(random, skeleton.joints.len() - 1);
         let (rest, columns) = without(&skeleton, removed);
         (skeleton, values) = (rest, values.select_columns(&columns));
     }
-    let naming = chance(random, 6);
+    let naming = choice(random, 6);
     for (place, joint) in skeleton.joints.iter_mut().enumerate() {
         joint.name = match naming {
             0 => format!("joint{place}"),
@@ -71,13 +66,13 @@ fn recording(seed: u64) -> Recording {
             _ => joint.name.clone(),
         };
     }
-    if chance(random, 4) == 0 {
-        let place = chance(random, skeleton.joints.len());
+    if choice(random, 4) == 0 {
+        let place = choice(random, skeleton.joints.len());
         skeleton.joints[place].offset = skeleton.joints[place].offset.map(|x| 1.3 * x + 1.0);
     }
-    let unit = [1.0, 1.0, 0.01, 10.0, 0.394][chance(random, 5)];
-    let factor = [1.0, 1.0, 1.0, 10.0, 0.1][chance(random, 5)];
-    let up = [UpAxis::Y, UpAxis::Y, UpAxis::Z, UpAxis::X, UpAxis::new(1, true)][chance(random, 5)];
+    let unit = [1.0, 1.0, 0.01, 10.0, 0.394][choice(random, 5)];
+    let factor = [1.0, 1.0, 1.0, 10.0, 0.1][choice(random, 5)];
+    let up = [UpAxis::Y, UpAxis::Y, UpAxis::Z, UpAxis::X, UpAxis::new(1, true)][choice(random, 5)];
     let turn = up.to_y_up().inverse();
     for joint in &mut skeleton.joints {
         joint.offset = (unit * (turn * Vector3::from(joint.offset))).into();
@@ -86,7 +81,7 @@ fn recording(seed: u64) -> Recording {
         }
     }
     let starts = skeleton.channel_starts();
-    let away = [0.0, 0.0, 300.0][chance(random, 3)];
+    let away = [0.0, 0.0, 300.0][choice(random, 3)];
     for frame in 0..values.nrows() {
         for (joint, start) in skeleton.joints.iter().zip(&starts) {
             let columns = || (*start..).zip(&joint.channels);
@@ -113,7 +108,7 @@ fn recording(seed: u64) -> Recording {
             }
         }
     }
-    match chance(random, 6) {
+    match choice(random, 6) {
         // A T-pose before the motion, rows of zeros, the same row at the end.
         0 => values = values.insert_row(0, 0.0),
         1 => values.row_mut(7).fill(0.0),

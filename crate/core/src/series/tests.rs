@@ -183,6 +183,7 @@ fn numbers_of_other_programs_follow_the_rules_for_files() {
     assert_eq!(refusal(["x", "y"], &gap), expected);
     let expected = "trial 0: expected a name of its own for column 2, found \"x\", as column 1 has";
     assert_eq!(refusal(["x", "x"], &values), expected);
+    assert!(checked(["x", "y"], &values.rows(0, 2).into_owned()).is_ok());
     let one = values.rows(0, 1).into_owned();
     assert_eq!(refusal(["x", "y"], &one), "trial 0: expected at least two rows of numbers, found 1");
     let narrow = values.columns(0, 1).into_owned();

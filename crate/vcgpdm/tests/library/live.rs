@@ -33,6 +33,20 @@ fn an_undisturbed_live_rollout_equals_the_rollout() {
 }
 
 #[test]
+fn a_rollout_starts_from_as_many_frames_as_a_clip_has() {
+    let owner = start_model();
+    let model = owner.coupled().unwrap();
+    let rollout = model.rollout(&RolloutRequest { frames: 12, ..RolloutRequest::default() }).unwrap();
+    let clip = model.clip(&rollout, "short.bvh").unwrap();
+    assert_eq!(model.latents_of_clip(&clip, 12).unwrap()[0].nrows(), 12);
+    let error = model.latents_of_clip(&clip, 13).unwrap_err().to_string();
+    assert!(
+        error.starts_with("short.bvh: expected 13 frames or more to start from, found 12 frames"),
+        "{error}"
+    );
+}
+
+#[test]
 fn a_pulled_node_moves_in_the_direction_of_the_pull() {
     let owner = Arc::new(start_model());
     let model = owner.coupled().unwrap();
@@ -120,6 +134,7 @@ fn a_driven_part_has_the_phase_that_it_is_given_and_the_other_follows() {
     let last = &free[free.len() - 2..];
     assert!(apart(last[0].phase, last[1].phase).abs() < 0.1 && last[0].distance < 0.5, "{last:?}");
 
+    live.clone().drive(0, 10.0).unwrap();
     let error = |part, turns| live.clone().drive(part, turns).unwrap_err().to_string();
     assert_eq!(error(0, f64::NAN), "expected from -10 to 10 turns, found NaN");
     assert_eq!(error(0, 11.0), "expected from -10 to 10 turns, found 11");

@@ -253,6 +253,11 @@ mod tests {
         let error = |lengths| Sequences::new(lengths, 2).unwrap_err().to_string();
         assert_eq!(error(vec![8, 1]), "sequence 1 has 1 frame; dynamics of order 2 need at least 3");
         assert_eq!(error(vec![2, 2]), "sequence 0 has 2 frames; dynamics of order 2 need at least 3");
+        assert!(Sequences::new(vec![MOST_FRAMES], 2).is_ok());
+        assert_eq!(
+            Sequences::new(vec![MOST_FRAMES, 1], 2),
+            Err(SequencesError::TooLong { most: MOST_FRAMES })
+        );
     }
 
     #[test]

@@ -54,6 +54,8 @@ fn movements_share_a_primitive() {
     let library = trained([true, false]);
     let names: Vec<_> = library.primitives.iter().map(|p| (p.part, p.name.as_str())).collect();
     assert_eq!(names, [(0, "walk+wave"), (1, "walk"), (1, "wave")]);
+    // Of the movements with a primitive, the one that shares most counts.
+    assert_eq!(library.couplings_of_sources(&[0, 2]), library.movements[1].alpha);
     for (index, movement) in library.movements.iter().enumerate() {
         let model = library.movement(index).unwrap();
         let y = model.rollout(0, 60).unwrap();
@@ -145,6 +147,14 @@ fn a_new_combination_starts_at_the_nearest_states_of_its_parts() {
         model.dynamics(&other, reading).unwrap().path(&model.start(0, 0).unwrap(), 30).unwrap()
     });
     assert_relative_eq!(paths[0][1], paths[1][1], epsilon = 1e-6);
+}
+
+#[test]
+fn the_nearest_latents_of_a_pose_of_the_library_are_its_own() {
+    let library = trained([false, false]);
+    let latents = &library.movements[1].starts[0];
+    let poses: Vec<_> = library.parts.iter().zip(latents).map(|(part, x)| part.observations(x)).collect();
+    assert_eq!(library.nearest_latents(&poses), *latents);
 }
 
 #[test]

@@ -206,6 +206,8 @@ mod tests {
                 learned.with_alpha(params.alpha.clone()).unwrap().coefficients(),
                 learned.coefficients()
             );
+            let without_linear = MapModel { linear: DMatrix::zeros(0, 0), ..learned.clone() };
+            assert_eq!(learned.stored_numbers(), without_linear.stored_numbers() + params.linear.len());
             params.alpha *= 3.0;
             params.alpha[(0, 0)] *= 0.1;
             let (model, sequences) = (learned.with_alpha(params.alpha.clone()).unwrap(), density.sequences());

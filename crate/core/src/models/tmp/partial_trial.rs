@@ -98,7 +98,7 @@ impl<'a> PartialTrial<'a> {
 
     /// The log density of start and frames, with the weights integrated out and without terms that do not
     /// depend on the start.
-    fn value(&self, map: &PhaseMap) -> Result<f64, NumericsError> {
+    pub fn value(&self, map: &PhaseMap) -> Result<f64, NumericsError> {
         let mut value = self.start.map_or(0.0, |start| start.log_density(map.start));
         let (posterior, trial, features) = (self.posterior, &self.whitened, self.features(map));
         let energy = posterior.energy(&features);

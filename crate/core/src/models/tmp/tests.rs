@@ -90,6 +90,19 @@ fn no_update_lowers_the_bound() {
     }
 }
 
+#[test]
+fn one_more_primitive_keeps_the_determinant_of_the_covariance() {
+    let mut trials = problem(4, false);
+    trials.pop();
+    let alignment = Alignment::new(&trials, None);
+    let one = Posterior::start(&trials, &alignment, &[4], 1, false).unwrap();
+    let two = one.with_one_more(&trials).unwrap();
+    let log_determinant = nalgebra::Cholesky::new(two.v_covariance.clone()).unwrap().ln_determinant();
+    let size = two.v.len() as f64;
+    let divergence = 0.5 * (two.v.norm_squared() + two.v_covariance.trace() - size - log_determinant);
+    assert_relative_eq!(two.divergence(), divergence, max_relative = 1e-9);
+}
+
 /// The phases move by the part of the bound that depends on them, which must rank moves as the whole bound does.
 #[test]
 fn phases_move_where_the_bound_rises() {
@@ -382,6 +395,23 @@ fn whitened_frames_have_the_density_of_frames_with_correlated_noise() {
     let trial = PartialTrial::new(&posterior, &trials, &partial).unwrap();
     // Half the logarithm for each of four columns.
     assert_relative_eq!(trial.log_determinant(), 2.0 * all.determinant().ln(), epsilon = 1e-9);
+}
+
+#[test]
+fn no_start_near_that_of_a_partial_trial_is_likelier() {
+    for rhythmic in [true, false] {
+        let mut trials = problem(2, rhythmic);
+        let partial = trials.pop().unwrap();
+        let alignment = Alignment::new(&trials, None);
+        let posterior = Posterior::start(&trials, &alignment, &[3, 1], 2, false).unwrap();
+        let trial = PartialTrial::new(&posterior, &trials, &partial).unwrap();
+        let best = trial.best_map().unwrap();
+        let most = trial.value(&best).unwrap();
+        for shift in [-1e-2, -1e-3, 1e-3, 1e-2] {
+            let other = trial.value(&PhaseMap { start: best.start + shift, ..best }).unwrap();
+            assert!(other < most, "{rhythmic}, {shift}: {other} {most}");
+        }
+    }
 }
 
 #[test]

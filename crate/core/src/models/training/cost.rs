@@ -116,6 +116,18 @@ mod tests {
         assert!(points.cost(1000, &[30, 30]).seconds > 80.0 * short.seconds);
     }
 
+    /// By hand, for one frame of one column: 4 latent means and variances, 2 poses of 2 dimensions and 3 points of 4
+    /// are parameters.
+    #[test]
+    fn the_memory_of_a_small_training() {
+        let small =
+            VariationalSettings { latent: 2, order: 2, pose_ips: 2, dynamics_ips: 3, ..Default::default() };
+        let parameters = 4.0 + 4.0 + 12.0;
+        let scratch = 6.0 + 3.0 + 2.0 + (4.0 + 6.0 + 16.0);
+        let numbers = parameters * OPTIMISER_VECTORS + scratch + 8.0 * 9.0;
+        assert_eq!(small.cost(1, &[1]).bytes, TrainingCost::new(0.0, 1, numbers).bytes);
+    }
+
     #[test]
     fn costs_of_map_models_grow_with_the_cube_of_the_frames() {
         let map = Settings::MapCgpdm(MapSettings::default());

@@ -85,6 +85,16 @@ mod tests {
     }
 
     #[test]
+    fn eight_frames_are_enough_to_tell() {
+        let climbs = [7, 8].map(|frames| {
+            let walk = uphill(60.0).resample(5.0).unwrap().cut(0, frames).unwrap();
+            let mapping = PoseMapping::new(&walk);
+            mapping.climb(&mapping.encode(&walk).unwrap().y).is_some()
+        });
+        assert_eq!(climbs, [false, true]);
+    }
+
+    #[test]
     fn rows_with_changes_of_the_height_give_the_clip_back() {
         let walk = uphill(35.0);
         let mapping = PoseMapping::new(&walk);

@@ -145,6 +145,9 @@ fn another_axis_than_that_of_the_mapping_is_found_or_stated() {
     assert_eq!(found.y, stated.y);
     assert!(found.warnings[0].starts_with("the up axis is z here and y in the body"), "{:?}", found.warnings);
     assert!(stated.warnings.is_empty() && rows.warnings.is_empty());
+    // A stated axis counts even if the body lies then.
+    let lying = mapping.encode(&Clip { up: Some(UpAxis::Z), ..clip }).unwrap();
+    assert!((lying.y - rows.y).amax() > 0.1);
 }
 
 #[test]

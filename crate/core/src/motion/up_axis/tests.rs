@@ -1,4 +1,5 @@
 use super::*;
+use crate::motion::skeleton::Channel;
 use crate::motion::{Recording, rotation, samples};
 use nalgebra::{DMatrix, UnitQuaternion};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -162,27 +163,26 @@ fn the_axis_is_found_in_every_world_or_named_as_possible() {
     assert_eq!(counts, [&[[12, 12], [0, 0], [0, 0], [7, 7], [7, 7]][..], &moving, &moving].concat());
 }
 
-/// An animal whose legs point to the sides, and down by `down`, with its root at `place`.
-fn animal(down: f64, place: [f64; 3]) -> Clip {
-    let joint = "\n{\nCHANNELS 3 Zrotation Xrotation Yrotation\n";
-    let leg = |name: &str, x: f64, y: f64| {
-        let foot = format!("End Site\n{{\nOFFSET {} 0 {}\n}}\n", 8.0 * x, -down);
-        format!("JOINT {name}{joint}OFFSET {x} {y} 0\n{foot}}}\n")
-    };
-    let legs = [leg("a", 1.0, 9.0), leg("b", -1.0, 9.0), leg("c", 1.0, -9.0), leg("d", -1.0, -9.0)];
-    let places = joint.replace("S 3", "S 6 Xposition Yposition Zposition");
-    let body = format!("HIERARCHY\nROOT body{places}OFFSET 0 0 0\n{}}}\n", legs.concat());
-    let [x, y, z] = place;
-    let frames = format!("{x} {y} {z}{}\n", " 0".repeat(15)).repeat(20);
-    let text = format!("{body}MOTION\nFrames: 20\nFrame Time: 0.1\n{frames}");
-    crate::motion::bvh::read("animal.bvh", text.as_bytes()).unwrap().into_clip()
+/// A chain of three bones with its root at `place` in the first of twenty frames, and moved by `way` in the last.
+fn chain(bone: [f64; 3], place: [f64; 3], way: [f64; 3]) -> Clip {
+    let mut body =
+        crate::motion::testing::tree(&[("a", None), ("b", Some(0)), ("c", Some(1)), ("d", Some(2))]);
+    body.joints.iter_mut().for_each(|joint| joint.offset = bone);
+    body.joints[0].channels = Channel::ALL.to_vec();
+    let values = DMatrix::from_fn(20, body.channel_count(), |frame, column| {
+        if column < 3 { place[column] + way[column] * frame as f64 / 19.0 } else { 0.0 }
+    });
+    Clip::new("chain", body, 0.1, values)
 }
 
 #[test]
-fn a_body_without_a_head_stands_on_its_limbs_or_along_its_longest_side() {
-    for place in [[0.0; 3], [70.0, 90.0, 40.0], [-70.0, -90.0, -40.0]] {
-        let axes = [0.5, 8.0].map(|down| animal(down, place).search_up_axis().axis);
-        assert_eq!(axes, [UpAxis::Y, UpAxis::Z], "{place:?}");
+fn a_body_without_limbs_stands_along_its_longest_side_unless_it_travels_there() {
+    let axis = |bone, place, way| chain(bone, place, way).search_up_axis().axis;
+    for place in [[0.0; 3], [0.0, 90.0, 0.0], [0.0, 0.0, 90.0], [0.0, 0.0, -90.0]] {
+        assert_eq!(axis([1.0, 2.0, 9.0], place, [0.0; 3]), UpAxis::Z, "{place:?}");
+        assert_eq!(axis([1.0, 9.0, 9.0], place, [0.0; 3]), UpAxis::Y, "{place:?}");
+        assert_eq!(axis([9.0, 1.0, 2.0], place, [0.0; 3]), UpAxis::X, "{place:?}");
+        assert_eq!(axis([1.0, 2.0, 9.0], place, [0.0, 0.0, 40.0]), UpAxis::Y, "{place:?}");
     }
 }
 
