@@ -173,3 +173,13 @@ fn a_matrix_has_rows_as_wide_as_the_first() {
     let error = crate::json::rows::matrix_from_rows(&[vec![1.0, 2.0], vec![3.0]]).unwrap_err();
     assert_eq!(error, "expected rows of 2 numbers, found 1 in row 1");
 }
+
+#[test]
+fn values_at_the_limits_are_read() {
+    let list = |count| Value::list(&vec![0.0; count], |v| Value::Number(*v));
+    assert_eq!(Field::root(&list(100_000)).items().unwrap().len(), 100_000);
+    assert!(Field::root(&list(100_001)).items().is_err());
+    let field = Field::root(&Value::Null);
+    assert!(checks::bounded(&field, &[1e12, -1e12]).is_ok() && checks::bounded(&field, &[-1.1e12]).is_err());
+    assert!(checks::positive(&field, &[1e-12, 1e12]).is_ok() && checks::positive(&field, &[1e-13]).is_err());
+}

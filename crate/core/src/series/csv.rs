@@ -271,9 +271,18 @@ fn number(field: &str, comma: bool, is_time: bool) -> Result<f64, &'static str> 
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+
     #[test]
     fn a_table_has_twenty_million_numbers_at_most() {
         let sizes = [(5_000, 4_000), (5_000, 4_001)];
-        assert_eq!(sizes.map(|(rows, columns)| super::is_too_large(rows, columns)), [false, true]);
+        assert_eq!(sizes.map(|(rows, columns)| is_too_large(rows, columns)), [false, true]);
+    }
+
+    #[test]
+    fn as_many_columns_and_as_large_numbers_as_the_limits_are_read() {
+        let names = |count: usize| check_names(&vec![String::new(); count]).is_ok();
+        assert_eq!([MOST_COLUMNS, MOST_COLUMNS + 1].map(names), [true, false]);
+        assert_eq!([LARGEST, -LARGEST, 1.1 * LARGEST, f64::NAN].map(is_usable), [true, true, false, false]);
     }
 }

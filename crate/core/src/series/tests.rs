@@ -111,6 +111,12 @@ fn doubtful_times_are_named() {
     assert_eq!(with_first("s_ms", 0.0, 0.04).frame_time, None, "two units");
     assert!(unknown.warnings[0].starts_with("the column \"Bildzeit\" grows by 0.04 in each row"));
     assert!(with_first("x0", 0.0, -1.0).warnings.is_empty());
+    // In few rows, equal steps may be chance.
+    let grows = |rows: usize| {
+        let text: String = (0..rows).map(|row| format!("{row},{}\n", row * row)).collect();
+        read("trial.csv", format!("height,y\n{text}").as_bytes()).unwrap().warnings.len()
+    };
+    assert_eq!([9, 10].map(grows), [0, 1]);
     let seconds = read("trial.csv", b"sec,nanosec,y\n7,500,1\n7,900,2\n8,300,3\n").unwrap();
     assert!(seconds.warnings[0].starts_with("the column \"sec\" has the name of a clock, but does not grow"));
 }

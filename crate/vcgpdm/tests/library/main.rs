@@ -12,3 +12,4 @@ mod series;
 mod start_model;
 mod t_pose;
 mod training;
+mod unchanged;

@@ -70,3 +70,24 @@ pub fn constant_warning(kind: &str, names: &[&str]) -> Option<String> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constant_columns_are_named_and_counted() {
+        let said = |count: usize| constant_warning("column", &["a", "b", "c", "d", "e"][..count]);
+        assert_eq!(said(0), None);
+        assert!(said(1).unwrap().starts_with("the column a never changes, "));
+        assert!(said(3).unwrap().starts_with("the columns a, b, c never change, "));
+        assert!(said(5).unwrap().starts_with("the columns a, b, c and 2 more never change, "));
+    }
+
+    #[test]
+    fn a_change_counts_beside_the_size_of_a_column() {
+        // Of numbers near 0 and near 1000: the same, and changed by more than rounding.
+        let rows = DMatrix::from_row_slice(2, 4, &[0.0, 0.0, -1000.0, -1000.0, 1e-13, 1e-3, -1000.0, -999.0]);
+        assert_eq!(changing_columns(&rows), [false, true, false, true]);
+    }
+}

@@ -293,6 +293,10 @@ fn deep_and_large_hierarchies_do_not_crash_the_reader() {
         let endless = format!("HIERARCHY ROOT r {{ OFFSET 0 0 0 {}", "JOINT a { OFFSET 0 0 0 ".repeat(more));
         assert!(message(&endless).contains("at most 2000 joints"));
     }
+    let ends = "End Site { OFFSET 0 1 0 } ".repeat(2_000);
+    let text = format!("HIERARCHY ROOT r {{ OFFSET 0 0 0 CHANNELS 1 Yrotation {ends}}} MOTION\nFrames: 1\n");
+    assert!(read("ends", format!("{text}Frame Time: .1\n1e9").as_bytes()).is_ok());
+    assert!(read("ends", format!("{text}Frame Time: .1\n1.1e9").as_bytes()).is_err());
     let ends = "End Site { OFFSET 0 0 0 } ".repeat(200_000);
     assert!(message(&format!("HIERARCHY ROOT r {{ OFFSET 0 0 0 {ends}")).contains("at most 2000 joints"));
 }
