@@ -286,6 +286,23 @@ mod tests {
     }
 
     #[test]
+    fn a_new_root_has_three_positions_and_the_first_order_of_three_angles() {
+        use Channel::{Xposition, Xrotation, Yposition, Yrotation, Zposition, Zrotation};
+        let turned = [Yrotation, Xrotation, Zrotation, Yposition];
+        let cases: [(&[Channel], &[Channel], [Channel; 3]); 3] = [
+            (&turned, &[Zrotation], [Yrotation, Xrotation, Zrotation]),
+            (&[Zrotation, Yrotation, Xrotation], &turned, [Yrotation, Xrotation, Zrotation]),
+            (&[Yposition], &[Zrotation], [Zrotation, Xrotation, Yrotation]),
+        ];
+        for (old, own, angles) in cases {
+            let [old, own] = [old, own].map(|channels| joint("a", None, [0.0; 3], channels));
+            let found = root_channels(&old, &own);
+            assert_eq!(found[..3], [Xposition, Yposition, Zposition]);
+            assert_eq!(found[3..], angles);
+        }
+    }
+
+    #[test]
     fn a_still_root_is_folded_into_its_moving_child_to_the_last_digit() {
         let walk = samples::clip("walk-1").unwrap();
         let folded = carried_by(&walk, &Channel::ALL, &[0.0; 6], &[]).into_clip();

@@ -122,6 +122,12 @@ fn doubtful_times_are_named() {
 }
 
 #[test]
+fn some_names_of_columns_may_be_numbers() {
+    assert_eq!(read("t.csv", b"x,2\n1,5\n3,4\n").unwrap().columns, ["x", "2"]);
+    assert!(refusal("1,2\n1,5\n3,4\n").contains("found numbers"));
+}
+
+#[test]
 fn german_tables_have_decimal_commas() {
     let table = read("t.csv", b"Zeit;x;y\n0,0;1,5;2\n0,1;-2,5;3\n0,2;0;1\n").unwrap();
     assert_eq!((table.values[(1, 0)], table.frame_time), (-2.5, Some(0.1)));

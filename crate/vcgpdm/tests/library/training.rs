@@ -1,7 +1,8 @@
 //! Trainings on the project's own clips, natively. crate/wasm/tests runs the same tests in wasm.
 
 use std::fs;
-use vcgpdm::{Dataset, Source, VariationalSettings, Vcgpdm, part_presets, sample_clip};
+use vcgpdm::{Clip, Dataset, Source, VariationalSettings, Vcgpdm, part_presets, sample_clip};
+use vcgpdm_core::motion::samples;
 
 #[path = "../shared/training.rs"]
 mod cases;
@@ -20,6 +21,17 @@ fn the_usual_settings_give_the_bound_that_every_program_gives() {
     let model = Vcgpdm::fit(&dataset, &settings, 0).unwrap();
     let (found, expected) = (model.provenance.bound(), golden["bound"].as_f64().unwrap());
     assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+}
+
+#[test]
+fn the_usual_settings_go_by_the_longest_clip() {
+    let [short, long] = [3.0, 9.0].map(|seconds| samples::trial("walk", 1, seconds).unwrap());
+    let points = |clips: &[&Clip]| {
+        let sources: Vec<Source> = clips.iter().map(|clip| Source::from(*clip)).collect();
+        let dataset = Dataset::new(&sources, &part_presets(&clips[0].skeleton)[1].parts, 30.0).unwrap();
+        VariationalSettings::for_dataset(&dataset).dynamics_ips
+    };
+    assert_eq!([points(&[&short]), points(&[&short, &long]), points(&[&long, &short])], [12, 30, 30]);
 }
 
 #[test]

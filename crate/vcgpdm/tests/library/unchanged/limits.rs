@@ -76,6 +76,11 @@ pub fn limits(model: Model) -> Lines {
         let completed = coupled.complete(&usual(), &rollout.y, &given, cut);
         answer(&format!("{given:?} {cut:?}"), completed.map(|_| ()).map_err(|error| error.to_string()));
     }
+    for count in [dimensions, parts * dimensions - 1, parts * dimensions] {
+        let latents = vec![0.1; count];
+        answer("pose", coupled.pose(1, &latents).map(|_| ()).map_err(|error| error.to_string()));
+        answer("body", coupled.body_pose(&latents).map(|_| ()).map_err(|error| error.to_string()));
+    }
     for frame in [order - 2, 29, 30] {
         let begun = Endless::after(owner.clone(), &rollout, frame, 0);
         answer("after", begun.map(|_| ()).map_err(|error| error.to_string()));
