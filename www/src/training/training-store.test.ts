@@ -376,11 +376,9 @@ describe("a run that stopped before its bound had settled", () => {
     }
     expect([models[1] === models[0], workers.asked("goOn").length]).toEqual([true, 1]);
     expect(workers.asked("train").map(([{ settings, more }]) => [settings.maxIterations, more])).toEqual([
-      ...[
-        [10, 0],
-        [10, 0],
-        [10, 0],
-      ],
+      [10, 0],
+      [10, 0],
+      [10, 0],
       [10, 10],
     ]);
   });

@@ -1,16 +1,19 @@
-//! What this module says of many changed bodies, against what earlier versions said: a change that no other test
-//! notices. A failed test prints its lines; compare them with those of the version before. If the change is wanted,
-//! the new fingerprints go into [`EARLIER`].
+//! Results of this module for many changed bodies, compared with those of earlier versions by their fingerprints. If a
+//! change of them is wanted, the new fingerprints go into [`EARLIER`].
+
+#[path = "../../../vcgpdm/tests/shared/fingerprint.rs"]
+mod fingerprint;
 
 use super::*;
 use crate::motion::limbs::is_within;
 use crate::motion::pose::PoseMapping;
 use crate::motion::stage_axes::UpAxis;
-use nalgebra::Vector3;
+use crate::motion::up_axis::tests::in_world;
+use fingerprint::{fingerprint, numbers, without_sign_of_zero};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-/// The subject of each line, and a fingerprint of all lines of this subject.
+/// Each subject, and the fingerprint of the results of all bodies.
 const EARLIER: [(&str, &str); 8] = [
     ("read", "5dc66f5b"),
     ("stage", "fef6700b"),
@@ -73,41 +76,18 @@ fn recording(seed: u64) -> Recording {
     let unit = [1.0, 1.0, 0.01, 10.0, 0.394][choice(random, 5)];
     let factor = [1.0, 1.0, 1.0, 10.0, 0.1][choice(random, 5)];
     let up = [UpAxis::Y, UpAxis::Y, UpAxis::Z, UpAxis::X, UpAxis::new(1, true)][choice(random, 5)];
-    let turn = up.to_y_up().inverse();
     for joint in &mut skeleton.joints {
-        joint.offset = (unit * (turn * Vector3::from(joint.offset))).into();
-        for end in &mut joint.end_sites {
-            *end = (unit * (turn * Vector3::from(*end))).into();
-        }
+        joint.offset = joint.offset.map(|x| unit * x);
+        joint.end_sites.iter_mut().for_each(|end| *end = end.map(|x| unit * x));
     }
-    let starts = skeleton.channel_starts();
     let away = [0.0, 0.0, 300.0][choice(random, 3)];
-    for frame in 0..values.nrows() {
-        for (joint, start) in skeleton.joints.iter().zip(&starts) {
-            let columns = || (*start..).zip(&joint.channels);
-            let rotations: Vec<usize> =
-                columns().filter(|(_, c)| c.is_rotation()).map(|(column, _)| column).collect();
-            let axes: Vec<usize> = joint.rotation_axes().collect();
-            let degrees: Vec<f64> = rotations.iter().map(|&column| values[(frame, column)]).collect();
-            let own = axes
-                .iter()
-                .zip(&degrees)
-                .fold(nalgebra::UnitQuaternion::identity(), |own, (axis, degrees)| {
-                    own * rotation::about_axis(*axis, degrees.to_radians())
-                });
-            let turned = rotation::angles_near(&(turn * own * turn.inverse()), &axes, &[0.0; 3]);
-            for (column, radians) in rotations.into_iter().zip(turned) {
-                values[(frame, column)] = radians.to_degrees();
-            }
-            let places: Vec<usize> =
-                columns().filter(|(_, c)| !c.is_rotation()).map(|(column, _)| column).collect();
-            if places.len() == 3 {
-                let place = Vector3::from_fn(|axis, _| values[(frame, places[axis])] + away);
-                let place = factor * unit * (turn * place);
-                places.iter().zip(place.iter()).for_each(|(&column, x)| values[(frame, column)] = *x);
-            }
+    for (column, channel) in skeleton.joints[0].channels.iter().enumerate() {
+        if !channel.is_rotation() {
+            values.column_mut(column).apply(|x| *x = factor * unit * (*x + away));
         }
     }
+    let clip = Clip::new(&format!("{seed}.bvh"), skeleton, clip.frame_time, values);
+    let Clip { name, skeleton, frame_time, mut values, .. } = in_world(&clip, up.to_y_up().inverse(), true);
     match choice(random, 6) {
         // A T-pose before the motion, rows of zeros, the same row at the end.
         0 => values = values.insert_row(0, 0.0),
@@ -118,20 +98,11 @@ fn recording(seed: u64) -> Recording {
         }
         _ => {}
     }
-    Recording::new(&format!("{seed}.bvh"), skeleton, clip.frame_time, values)
+    Recording::new(&name, skeleton, frame_time, values)
 }
 
-/// Mean and size of some numbers, to five digits: fewer than differ between processors.
-fn numbers<'a>(values: impl Iterator<Item = &'a f64> + Clone) -> String {
-    let count = values.clone().count().max(1) as f64;
-    let mean = values.clone().sum::<f64>() / count;
-    let size = values.map(|value| value * value).sum::<f64>() / count;
-    let [mean, size] = [mean, size].map(|value| if value.abs() < 1e-9 { 0.0 } else { value });
-    format!("{mean:.4e} {size:.4e}")
-}
-
-/// The lines about a recording, in the order of [`EARLIER`]. `first`: another clip.
-fn lines(recording: Recording, first: &Clip) -> [String; 8] {
+/// The results for a recording, in the order of [`EARLIER`]. `first`: another clip.
+fn results(recording: Recording, first: &Clip) -> [String; 8] {
     let skipped = recording.rows_before_motion();
     let clip = recording.into_clip().with_checked_axis();
     let read = format!("{skipped} {:?} {}", clip.warnings, numbers(clip.values.iter()));
@@ -159,24 +130,18 @@ fn lines(recording: Recording, first: &Clip) -> [String; 8] {
     let names: Vec<&str> = written.skeleton.joints.iter().map(|joint| joint.name.as_str()).collect();
     let written = format!("{names:?} {}", numbers(written.values.iter()));
     let all = [read, stage, parts, landmarks, measures, poses, format!("{same} {onto}"), written];
-    // Whether nothing is above or below 0 is chance.
-    all.map(|line| line.replace("-0.000", "0.000"))
+    all.map(|result| without_sign_of_zero(&result))
 }
 
 #[test]
 fn many_bodies_are_what_they_were_in_earlier_versions() {
     let first = samples::clip("walk-1").unwrap().resample(12.0).unwrap();
-    let all: Vec<_> = (0..BODIES as u64).map(|seed| lines(recording(seed), &first)).collect();
-    let found: Vec<(&str, String)> = (EARLIER.iter().enumerate())
-        .map(|(place, (subject, _))| {
-            let lines: Vec<String> = all.iter().map(|lines| lines[place].clone()).collect();
-            for (seed, line) in lines.iter().enumerate() {
-                println!("{subject}, {seed}: {line}");
-            }
-            (*subject, sha256(lines.join("\n").as_bytes())[..8].to_owned())
-        })
-        .collect();
-    let earlier: Vec<(&str, String)> =
-        EARLIER.iter().map(|(subject, hash)| (*subject, (*hash).to_owned())).collect();
+    let all: Vec<_> = (0..BODIES as u64).map(|seed| results(recording(seed), &first)).collect();
+    let found = EARLIER.iter().enumerate().map(|(place, (subject, _))| {
+        let of_subject: Vec<String> = all.iter().map(|results| results[place].clone()).collect();
+        (*subject, fingerprint(subject, &of_subject))
+    });
+    let found: Vec<(&str, String)> = found.collect();
+    let earlier = EARLIER.map(|(subject, fingerprint)| (subject, fingerprint.to_owned()));
     assert_eq!(found, earlier);
 }

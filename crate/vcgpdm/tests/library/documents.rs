@@ -20,10 +20,15 @@ pub const DOCUMENTS: [(&str, &str); 9] = [
     ("primitives", include_str!("documents/primitives.json")),
 ];
 
+/// Whether the document of this name is a library, not a model.
+pub fn is_library(name: &str) -> bool {
+    ["library", "primitives"].contains(&name)
+}
+
 #[test]
 fn documents_of_earlier_versions_are_written_with_the_same_bytes() {
     for (name, text) in DOCUMENTS {
-        if ["library", "primitives"].contains(&name) {
+        if is_library(name) {
             let library = TrainedLibrary::from_json(text).unwrap();
             assert_eq!(library.to_json().unwrap(), text);
             continue;

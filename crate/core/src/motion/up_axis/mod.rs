@@ -346,4 +346,4 @@ impl Clip {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

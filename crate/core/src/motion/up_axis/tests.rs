@@ -42,7 +42,7 @@ fn set(clip: &mut Clip, pose: impl Fn(usize, usize, &str) -> (UnitQuaternion<f64
 }
 
 /// The same motion in a turned world: by the root alone, or by the rest pose too.
-fn in_world(clip: &Clip, turn: UnitQuaternion<f64>, with_rest: bool) -> Clip {
+pub(crate) fn in_world(clip: &Clip, turn: UnitQuaternion<f64>, with_rest: bool) -> Clip {
     let mut other = clip.clone();
     if with_rest {
         for joint in &mut other.skeleton.joints {

@@ -1,7 +1,7 @@
-//! What is said about documents in which one value is changed.
+//! Stored documents with one value changed: each is read, or refused with an error.
 
 use super::Lines;
-use crate::documents::DOCUMENTS;
+use crate::documents::{DOCUMENTS, is_library};
 use serde_json::{Value, json};
 use vcgpdm_core::document::Document;
 use vcgpdm_core::models::library::TrainedLibrary;
@@ -58,11 +58,10 @@ pub fn documents() -> Lines {
                 let mut changed = document.clone();
                 *changed.pointer_mut(&place).unwrap() = other;
                 let text = changed.to_string();
-                let error = match name {
-                    "library" | "primitives" => {
-                        TrainedLibrary::from_json(&text).err().map(|error| error.to_string())
-                    }
-                    _ => Document::from_json(&text).err().map(|error| error.to_string()),
+                let error = if is_library(name) {
+                    TrainedLibrary::from_json(&text).err().map(|error| error.to_string())
+                } else {
+                    Document::from_json(&text).err().map(|error| error.to_string())
                 };
                 lines.0.push(format!("{name} {place}: {}", error.unwrap_or_else(|| "read".to_owned())));
             }

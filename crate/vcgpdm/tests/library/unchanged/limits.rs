@@ -1,4 +1,4 @@
-//! What is said about requests at the limits and beyond them.
+//! Requests with a number at its limit or just beyond it: each is carried out, or refused with an error.
 
 use super::Lines;
 use crate::documents::DOCUMENTS;
@@ -12,9 +12,6 @@ pub fn limits(model: Model) -> Lines {
     let owner = Arc::new(model);
     let coupled = owner.coupled().unwrap();
     let (parts, order) = (coupled.model.part_count(), coupled.model.order);
-    let mut answer = |what: &str, answer: Result<(), String>| {
-        lines.0.push(format!("{what}: {}", answer.err().unwrap_or_else(|| "yes".to_owned())));
-    };
     let usual = || RolloutRequest { frames: 30, ..RolloutRequest::default() };
     let last = coupled.model.start_frames(0) - 1;
     let start = coupled.model.start(0, 0).unwrap();
@@ -59,8 +56,8 @@ pub fn limits(model: Model) -> Lines {
         ("a push by NaN", RolloutRequest { pushes: push(9, 1, vec![], f64::NAN), ..usual() }),
     ];
     for (what, request) in requests {
-        answer(what, coupled.rollout(&request).map(|_| ()).map_err(|error| error.to_string()));
-        answer(what, coupled.moments(&request).map(|_| ()).map_err(|error| error.to_string()));
+        lines.answer(what, coupled.rollout(&request));
+        lines.answer(what, coupled.moments(&request));
     }
     let rollout = coupled.rollout(&usual()).unwrap();
     let columns = rollout.y.ncols();
@@ -74,16 +71,16 @@ pub fn limits(model: Model) -> Lines {
         (vec![1], Some(30)),
     ] {
         let completed = coupled.complete(&usual(), &rollout.y, &given, cut);
-        answer(&format!("{given:?} {cut:?}"), completed.map(|_| ()).map_err(|error| error.to_string()));
+        lines.answer(&format!("{given:?} {cut:?}"), completed);
     }
     for count in [dimensions, parts * dimensions - 1, parts * dimensions] {
         let latents = vec![0.1; count];
-        answer("pose", coupled.pose(1, &latents).map(|_| ()).map_err(|error| error.to_string()));
-        answer("body", coupled.body_pose(&latents).map(|_| ()).map_err(|error| error.to_string()));
+        lines.answer("pose", coupled.pose(1, &latents));
+        lines.answer("body", coupled.body_pose(&latents));
     }
     for frame in [order - 2, 29, 30] {
         let begun = Endless::after(owner.clone(), &rollout, frame, 0);
-        answer("after", begun.map(|_| ()).map_err(|error| error.to_string()));
+        lines.answer("after", begun);
     }
     let node = coupled.body.mapping.skeleton().node_count();
     type Change<'a> = (&'a str, Box<dyn Fn(&mut Endless) -> Result<(), RolloutError> + 'a>);
@@ -107,7 +104,7 @@ pub fn limits(model: Model) -> Lines {
     ];
     let live = Endless::after(owner.clone(), &rollout, 20, 0).unwrap();
     for (what, change) in changes {
-        answer(what, change(&mut live.clone()).map_err(|error| error.to_string()));
+        lines.answer(what, change(&mut live.clone()));
     }
     let handles = |tempo, goal, push| Handles { tempo, goal, push };
     for (name, text) in DOCUMENTS.iter().filter(|(name, _)| ["tmp", "dmp-discrete"].contains(name)) {
@@ -122,15 +119,12 @@ pub fn limits(model: Model) -> Lines {
             handles(1.0, None, Some(PosePush { frame: 15, by: vec![0.0; width] })),
             handles(1.0, None, Some(PosePush { frame: 3, by: vec![f64::NAN; width] })),
         ] {
-            answer(name, model.rollout_with(0, 15, &handles).map(|_| ()).map_err(|error| error.to_string()));
+            lines.answer(name, model.rollout_with(0, 15, &handles));
         }
     }
-    answer(
+    lines.answer(
         "handles",
-        owner
-            .rollout_with(0, 15, &handles(0.5, None, Some(PosePush { frame: 3, by: vec![0.0; columns] })))
-            .map(|_| ())
-            .map_err(|error| error.to_string()),
+        owner.rollout_with(0, 15, &handles(0.5, None, Some(PosePush { frame: 3, by: vec![0.0; columns] }))),
     );
     lines
 }
