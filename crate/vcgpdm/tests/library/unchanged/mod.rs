@@ -5,6 +5,7 @@ mod changed_documents;
 #[path = "../../shared/fingerprint.rs"]
 mod fingerprint;
 mod limits;
+mod trained;
 
 use crate::combinations;
 use crate::documents::{DOCUMENTS, is_library};
@@ -215,6 +216,7 @@ fn models_say_what_they_said_in_earlier_versions() {
         ("library", library()),
         ("handles", handles()),
         ("limits", limits::limits(model)),
+        ("trained", trained::trained()),
         ("documents", changed_documents::documents()),
     ];
     let found = found.map(|(subject, Lines(results))| (subject, fingerprint(subject, &results)));
@@ -225,6 +227,7 @@ fn models_say_what_they_said_in_earlier_versions() {
         ("library", "58d96208"),
         ("handles", "2e605a4b"),
         ("limits", "14da2680"),
+        ("trained", "1a8a7525"),
         ("documents", "0ebe5c3a"),
     ];
     assert_eq!(found, earlier.map(|(subject, hash)| (subject, hash.to_owned())));
