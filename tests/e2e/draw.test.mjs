@@ -110,8 +110,8 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await other.leave();
 
   await page.getByTestId("draw-clear").click();
-  assert.doesNotMatch(page.url(), /hand=/);
   await page.getByTestId("draw-example").waitFor();
+  await soon(async () => assert.doesNotMatch(page.url(), /hand=/));
   const pad = page.getByTestId("pad-0");
   await pad.click();
   await page.getByText("That was too little").waitFor();

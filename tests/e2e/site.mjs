@@ -249,7 +249,7 @@ export const pictures = (/** @type {import("playwright-core").Locator} */ canvas
 /** Waits until a canvas has shown three more pictures of its figures. */
 export async function draws(/** @type {import("playwright-core").Locator} */ canvas) {
   const end = (await pictures(canvas)) + 3;
-  while ((await pictures(canvas)) < end) await canvas.page().waitForTimeout(50);
+  await soon(async () => assert.ok((await pictures(canvas)) >= end, "the canvas shows three more pictures"));
 }
 
 /**
