@@ -227,7 +227,7 @@ fn models_say_what_they_said_in_earlier_versions() {
         ("library", "58d96208"),
         ("handles", "2e605a4b"),
         ("limits", "14da2680"),
-        ("trained", "1a8a7525"),
+        ("trained", "1de5b6e4"),
         ("documents", "0ebe5c3a"),
     ];
     assert_eq!(found, earlier.map(|(subject, hash)| (subject, hash.to_owned())));
