@@ -1,7 +1,17 @@
 // The clock, and couplings with their motion.
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
-import { draws, oneVisitor, openedSite, ready, readyVisitor, recolour, saved, seldom } from "./site.mjs";
+import {
+  draws,
+  oneVisitor,
+  openedSite,
+  ready,
+  readyVisitor,
+  recolour,
+  saved,
+  seldom,
+  soon,
+} from "./site.mjs";
 
 const site = openedSite();
 
@@ -18,7 +28,7 @@ describe("the clock", () => {
     await page.getByRole("button", { name: "One frame back" }).click();
     assert.equal(await scrub.inputValue(), "20");
     await page.getByTestId("play").click();
-    while (Number(await scrub.inputValue()) < 25) await page.waitForTimeout(50);
+    await soon(async () => assert.ok(Number(await scrub.inputValue()) >= 25));
     const length = page.getByTestId("length");
     await length.fill("60");
     await length.blur();

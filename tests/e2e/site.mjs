@@ -312,9 +312,9 @@ export async function readyVisitor(/** @type {Promise<Visitor>} */ coming) {
   return visitor;
 }
 
-/** Repeats a check until it holds, for 10 seconds at most: a busy machine shows a change late. */
-export async function soon(/** @type {() => Promise<void>} */ check) {
-  const end = performance.now() + 10_000;
+/** Repeats a check until it holds, for 10 seconds unless more are given: a busy machine shows a change late. */
+export async function soon(/** @type {() => Promise<void>} */ check, seconds = 10) {
+  const end = performance.now() + 1000 * seconds;
   for (;;) {
     try {
       return await check();

@@ -5,7 +5,7 @@ import { describe, it } from "node:test";
 import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import { at } from "../../scripts/run.mjs";
 import { bvh } from "./clips.mjs";
-import { LONG, draws, drop, openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
+import { LONG, draws, drop, openPanel, openedSite, ready, saved, seldom, soon } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -70,7 +70,7 @@ describe("training", () => {
     await page.getByRole("progressbar", { name: "Training", exact: true }).waitFor();
     // The figure moves while the model learns.
     await draws(page.getByTestId("stage"));
-    while (Math.max(...(await iterations()), 0) < 2) await page.waitForTimeout(100);
+    await soon(async () => assert.ok(Math.max(...(await iterations())) >= 2), 60);
     await page.getByTestId("cancel").click();
     await trainIsBack(page);
     const after = await provenance(page);
@@ -298,9 +298,8 @@ describe("own files", () => {
     await page
       .getByTestId("open-model")
       .setInputFiles({ name: "first.json", mimeType: "application/json", buffer: Buffer.from(first.text) });
-    const deadline = Date.now() + 10_000;
-    while ((await saved(page, "save-model")).text !== first.text)
-      assert.ok(Date.now() < deadline, "the first model is back");
+    const isBack = async () => (await saved(page, "save-model")).text === first.text;
+    await soon(async () => assert.ok(await isBack(), "the first model is back"));
     assert.equal((await saved(page, "save-motion")).text, firstMotion.text);
   });
 });
