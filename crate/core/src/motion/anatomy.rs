@@ -366,6 +366,7 @@ impl Skeleton {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::skeleton::Joint;
     use crate::motion::{landmarks::Landmarks, parts, samples};
 
     #[test]
@@ -393,5 +394,24 @@ mod tests {
                 assert_eq!(others.dots.len(), own.dots.len(), "{root} {named}");
             }
         }
+    }
+
+    #[test]
+    fn names_of_one_leg_alone_are_no_anatomy() {
+        let mut body = samples::clip("walk-1").unwrap().skeleton;
+        assert!(Anatomy::named(&body).is_some());
+        for joint in body.joints.iter_mut().filter(|joint| joint.name.starts_with("Right")) {
+            joint.name = "joint".to_owned();
+        }
+        assert!(Anatomy::named(&body).is_none());
+    }
+
+    #[test]
+    fn a_joint_below_the_head_belongs_to_the_trunk_whatever_its_name() {
+        let mut body = samples::clip("walk-1").unwrap().skeleton;
+        let head = body.joints.iter().position(|joint| joint.name == "Head").unwrap();
+        let hat = Joint { name: "LeftHand".to_owned(), parent: Some(head), ..body.joints[head].clone() };
+        body.joints.push(hat);
+        assert_eq!(Anatomy::named(&body).unwrap().regions.last(), Some(&Region::Trunk));
     }
 }

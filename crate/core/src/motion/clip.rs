@@ -328,6 +328,12 @@ mod tests {
     }
 
     #[test]
+    fn a_clip_without_frames_gets_the_rate() {
+        let empty = turning(1, 0.01, 1.0).with_values(DMatrix::zeros(0, 1), 0.01);
+        assert_eq!(empty.resample(30.0).unwrap().frame_time, 1.0 / 30.0);
+    }
+
+    #[test]
     fn absurd_rates_and_ranges_are_refused() {
         let clip = turning(10, 0.1, 1.0);
         for fps in [0.0, -30.0, f64::NAN, f64::INFINITY, 1e9] {

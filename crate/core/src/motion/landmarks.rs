@@ -92,7 +92,7 @@ impl Clip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::samples;
+    use crate::motion::{rotation, samples};
 
     #[test]
     fn a_point_light_walker_has_thirteen_dots() {
@@ -125,5 +125,21 @@ mod tests {
             let facing = facing(&clip.skeleton, &places).unwrap();
             assert!(facing.dot(&way) > 0.98, "{id}: {facing} {way}");
         }
+    }
+
+    #[test]
+    fn a_body_that_turns_all_the_way_round_faces_nowhere() {
+        let walk = samples::clip("walk-1").unwrap();
+        let turned = |frames: usize, angle: f64| -> Vec<f32> {
+            let pose = &walk.stage_positions()[..3 * walk.skeleton.node_count()];
+            let place = |k: usize, point: &[f32]| {
+                let turn = rotation::about_axis(1, angle * k as f64 / (frames - 1) as f64);
+                let place = turn * Vector3::from_fn(|axis, _| f64::from(point[axis]));
+                [place.x as f32, place.y as f32, place.z as f32]
+            };
+            (0..frames).flat_map(|k| pose.chunks(3).flat_map(move |point| place(k, point))).collect()
+        };
+        assert_eq!(facing(&walk.skeleton, &turned(2001, std::f64::consts::TAU)), None);
+        assert!(facing(&walk.skeleton, &turned(2001, std::f64::consts::PI)).is_some());
     }
 }

@@ -151,7 +151,7 @@ impl Clip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::skeleton::Channel;
+    use crate::motion::skeleton::{Channel, Joint};
     use crate::motion::{Recording, samples};
 
     /// A walk whose joints have position channels that repeat their OFFSETs.
@@ -222,5 +222,27 @@ mod tests {
             assert!(apart(30) < 0.01 * clip.height(), "{}", apart(30));
             assert!(read.warnings[0].contains("stay near 0"), "{:?}", read.warnings);
         }
+    }
+
+    #[test]
+    fn bones_that_are_a_quarter_shorter_are_left_as_they_are() {
+        let clip = scaled(walk(), 1.0, 0.74, |_| true);
+        let again = read(clip.clone());
+        assert_eq!((again.skeleton, again.values, again.warnings), (clip.skeleton, clip.values, Vec::new()));
+    }
+
+    #[test]
+    fn hips_below_a_root_that_stays_are_no_bone() {
+        let stand = samples::clip("stand-wave-1").unwrap();
+        let mut clip = stand.clone();
+        (0..3).for_each(|axis| clip.values.column_mut(axis).fill(stand.values[(0, axis)]));
+        for joint in &mut clip.skeleton.joints {
+            joint.parent = joint.parent.map(|parent| parent + 1);
+        }
+        clip.skeleton.joints[0].parent = Some(0);
+        let root =
+            Joint { name: "Reference".to_owned(), channels: Vec::new(), ..stand.skeleton.joints[0].clone() };
+        clip.skeleton.joints.insert(0, root);
+        assert_eq!(read(clip).warnings, [""; 0]);
     }
 }

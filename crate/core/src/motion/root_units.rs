@@ -169,6 +169,11 @@ mod tests {
             assert_eq!(warnings(clip.clone()), [""; 0], "{id}");
             let mut still = clip;
             (0..3).for_each(|axis| still.values.column_mut(axis).fill(0.9));
+            assert_eq!(warnings(still.clone()), [""; 0], "{id}");
+            // Rounding is no path.
+            for (t, value) in still.values.column_mut(0).iter_mut().enumerate() {
+                *value += 1e-6 * (t % 2) as f64;
+            }
             assert_eq!(warnings(still), [""; 0], "{id}");
         }
         let factors =
@@ -200,5 +205,23 @@ mod tests {
         let values = DMatrix::from_fn(9, 6, |t, column| if column == 1 { (t % 3) as f64 } else { 0.0 });
         let clip = Clip::new("ball.bvh", Skeleton { joints: vec![root] }, 0.1, values);
         assert!(warnings(clip)[0].contains("no height"));
+    }
+
+    #[test]
+    fn a_way_there_and_back_shows_a_path_that_is_too_long() {
+        let walk = samples::clip("walk-1").unwrap();
+        let rows: Vec<usize> = (0..walk.frames()).chain((0..walk.frames()).rev()).collect();
+        let mut clip = walk.with_values(walk.values.select_rows(&rows), walk.frame_time);
+        (0..3).for_each(|axis| clip.values.column_mut(axis).apply(|x| *x *= 100.0));
+        clip.values.column_mut(1).add_scalar_mut(3.0);
+        let [warning] = &warnings(clip)[..] else { panic!() };
+        assert!(warning.contains("100 times too long for the bones"), "{warning}");
+    }
+
+    #[test]
+    fn a_clip_without_frames_is_read() {
+        let walk = samples::clip("walk-1").unwrap();
+        let empty = walk.with_values(walk.values.rows(0, 0).into_owned(), 0.1);
+        assert_eq!(empty.with_checked_root().frames(), 0);
     }
 }

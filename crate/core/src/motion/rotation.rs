@@ -139,6 +139,13 @@ mod tests {
     }
 
     #[test]
+    fn the_vector_of_a_tiny_turn_is_its_angle() {
+        for angle in [1e-13, 1e-11] {
+            assert!((log(&about_axis(0, angle)).x / angle - 1.0).abs() < 1e-9, "{angle}");
+        }
+    }
+
+    #[test]
     fn euler_angles_stay_exact_in_gimbal_lock() {
         for axes in orders() {
             for middle in [PI / 2.0, -PI / 2.0, PI / 2.0 - 1e-9, PI / 2.0 + 1e-13] {

@@ -349,4 +349,16 @@ mod tests {
         body.joints[right].name = "tail".to_owned();
         assert!(body.places_in(&walk.skeleton).is_none());
     }
+
+    #[test]
+    fn joints_of_another_tree_or_with_repeated_names_are_not_matched() {
+        let star = |names: &[&str]| {
+            let mut body = chain(names);
+            body.joints.iter_mut().skip(1).for_each(|joint| joint.parent = Some(0));
+            body
+        };
+        assert_eq!(star(&["r", "a", "b"]).places_in(&star(&["r", "b", "a"])), Some(vec![0, 2, 1]));
+        assert_eq!(star(&["r", "a", "a", "b"]).places_in(&star(&["r", "b", "a", "a"])), None);
+        assert_eq!(chain(&["r", "a", "b"]).places_in(&chain(&["r", "b", "a"])), None);
+    }
 }

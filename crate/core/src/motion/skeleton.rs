@@ -344,3 +344,30 @@ pub struct WorldPose {
     /// World rotation of each joint.
     pub rotations: Vec<UnitQuaternion<f64>>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tree_with_too_many_joints_or_ends_or_with_one_bad_offset_is_refused() {
+        let joint = |parent| Joint {
+            name: "a".to_owned(),
+            parent,
+            offset: [0.0; 3],
+            channels: Vec::new(),
+            end_sites: Vec::new(),
+        };
+        let with_ends =
+            |ends: usize| Skeleton { joints: vec![Joint { end_sites: vec![[0.0; 3]; ends], ..joint(None) }] };
+        assert_eq!(with_ends(2000).validate(), Ok(()));
+        assert_eq!(with_ends(2001).validate(), Err(SkeletonError::TooLarge(2001)));
+        let joints = (0..2001_usize).map(|place| joint(place.checked_sub(1))).collect();
+        assert_eq!(Skeleton { joints }.validate(), Err(SkeletonError::TooLarge(2001)));
+        for axis in 0..3 {
+            let mut body = with_ends(1);
+            body.joints[0].end_sites[0][axis] = f64::NAN;
+            assert!(matches!(body.validate(), Err(SkeletonError::Offset { joint: 0, .. })), "{axis}");
+        }
+    }
+}

@@ -102,3 +102,18 @@ impl UpAxis {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_axis_has_one_opposite() {
+        for axis in UpAxis::ALL {
+            let opposites: Vec<UpAxis> =
+                UpAxis::ALL.into_iter().filter(|other| axis.is_opposite(*other)).collect();
+            assert_eq!(opposites.len(), 1, "{axis:?}: {opposites:?}");
+            assert_eq!(opposites[0].height(&Vector3::repeat(1.0)), -axis.height(&Vector3::repeat(1.0)));
+        }
+    }
+}

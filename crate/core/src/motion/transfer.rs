@@ -218,4 +218,15 @@ mod tests {
         let refused = walk.onto(&folded).unwrap_err();
         assert!(refused.to_string().contains("expected a rest pose that stands"), "{refused}");
     }
+
+    #[test]
+    fn a_bone_ends_at_the_next_joint_with_a_counterpart() {
+        let walk = samples::clip("walk-1").unwrap().skeleton;
+        let place = |name: &str| walk.joints.iter().position(|joint| joint.name == name).unwrap();
+        let [thigh, shin, foot] = ["LeftUpLeg", "LeftLeg", "LeftFoot"].map(place);
+        let mut sources: Vec<Option<usize>> = (0..walk.joints.len()).map(Some).collect();
+        assert_eq!(bone_of(&walk, &sources, thigh), Some(shin));
+        sources[shin] = None;
+        assert_eq!(bone_of(&walk, &sources, thigh), Some(foot));
+    }
 }

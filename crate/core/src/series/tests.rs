@@ -88,6 +88,7 @@ fn columns_that_count_rows_are_left_out() {
         let says = table.warnings.iter().any(|warning| warning.contains("no column holds times"));
         assert_eq!((says, table.warnings.len() < 2), (!name.is_empty(), true), "{name}");
     }
+    assert_eq!(with_first("frame error", 1.0, 1.0).columns, ["frame error", "x"]);
     assert_eq!(read("t.csv", b",x,\n0,3,\n1,5,\n").unwrap().columns, ["x"]);
     let jump = read("t.csv", b"Frame#,x\n1,3\n2,5\n9,4\n").unwrap();
     let warning = "line 4: the column \"Frame#\" goes from 2 to 9, not to 3: rows are missing there";

@@ -117,11 +117,16 @@ fn errors_name_file_and_line() {
         ),
         ("dof rx\n", "dof rw\n", "body.asf, line 38: expected some of TX, TY"),
         ("axis 0 0 20 XYZ", "axis 0 0 20 XXZ", "body.asf, line 37: expected the three axes"),
-        (":hierarchy", ":hier", "expected a section :hierarchy, found the end of the file"),
+        (":hierarchy", ":hier", "line 46: expected a section :hierarchy, found the end of the file"),
         (
             "lfemur ltibia",
             "lfemur tail",
             "body.asf, line 44: expected bones of :bonedata, each once, not \"tail\"",
+        ),
+        (
+            "name ltibia",
+            "name lfemur",
+            "line 39: expected fewer than 2000 bones, each once, not lfemur again",
         ),
     ] {
         let asf = ASF.replacen(from, to, 1);
@@ -150,6 +155,7 @@ fn bones_without_lines_in_some_frames_keep_their_pose() {
     assert_eq!(clip.values.view((1, 0), (1, 6)), expected.values.view((0, 0), (1, 6)));
     let warning = "1 of 3 frames have no lines of root, ltibia, first frame 2 (line 8): these bones keep";
     assert!(clip.warnings[0].starts_with(warning), "{:?}", clip.warnings);
+    assert_eq!(clip.warnings.len(), 1, "the root has lines in the other frames");
     // A bone of no frame is at rest, and a first frame without a line begins as the second.
     let never = recording(ASF, &AMC.replace("ltibia 40\n", "").replace("ltibia 41\n", "")).unwrap();
     assert!(never.warnings.is_empty());
@@ -189,4 +195,32 @@ fn files_with_returns_alone_are_read() {
     let read = recording(&ASF.replace('\n', "\r"), &AMC.replace('\n', "\r")).unwrap();
     assert_eq!(read.values, recording(ASF, AMC).unwrap().values);
     assert!(recording(ASF, &AMC.replace("15 25", "15 x").replace('\n', "\r")).unwrap_err().line == 6);
+}
+
+#[test]
+fn angles_can_be_radians() {
+    let radians = |word: &str| word.parse::<f64>().map_or(word.to_owned(), |a| a.to_radians().to_string());
+    // The root's three positions are no angles.
+    let line = |line: &str| -> String {
+        let kept = if line.starts_with("root") { 4 } else { 1 };
+        let words = line.split(' ').enumerate();
+        words.map(|(k, word)| if k < kept { word.to_owned() } else { radians(word) } + " ").collect()
+    };
+    let amc: Vec<String> = AMC.replace(":DEGREES", ":RADIANS").lines().map(line).collect();
+    let mut asf = ASF.replace("angle deg", "angle radians");
+    for angles in ["10 20 30", "0 0 20"] {
+        let words: Vec<String> = angles.split(' ').map(radians).collect();
+        asf = asf.replace(&format!("axis {angles}"), &format!("axis {}", words.join(" ")));
+    }
+    let read = recording(&asf, &amc.join("\n")).unwrap();
+    assert!((read.values - recording(ASF, AMC).unwrap().values).amax() < 1e-9);
+}
+
+#[test]
+fn the_root_turns_from_its_orientation_at_rest() {
+    let turned =
+        recording(&ASF.replace("orientation 0 0 0", "orientation 10 20 30"), AMC).unwrap().into_clip();
+    let rotation = xyz(10.0, -20.0, 30.0) * xyz(10.0, 20.0, 30.0);
+    let pose = turned.world_pose(0);
+    assert!((pose.rotations[0].to_rotation_matrix().matrix() - rotation.matrix()).amax() < 1e-9);
 }

@@ -212,8 +212,10 @@ fn a_stated_rate_replaces_the_frame_time() {
     }
     let error = read_at("walk.bvh", SMALL.as_bytes(), Some(0.0)).unwrap_err().to_string();
     assert!(error.contains("expected a stated rate from 0.1 to 10000 frames a second, found \"0\""));
-    let slow = read("walk.bvh", with("0.0333333", "2").as_bytes()).unwrap();
-    assert!(slow.warnings[0].starts_with("line 18: a frame lasts 2 s; is that a rate"));
+    for seconds in ["1", "2"] {
+        let slow = read("walk.bvh", with("0.0333333", seconds).as_bytes()).unwrap();
+        assert!(slow.warnings[0].starts_with(&format!("line 18: a frame lasts {seconds} s; is that a rate")));
+    }
 }
 
 #[test]
@@ -252,6 +254,11 @@ fn frozen_and_empty_rows_give_a_warning() {
     assert!(clip.warnings[0].contains("the last 4 rows are the same"), "{:?}", clip.warnings);
     let clip = read("a", with("2 2 3 4 5 6 7 8 9", "0 0 0 0 0 0 0 0 0").as_bytes()).unwrap();
     assert!(clip.warnings[0].contains("1 of 3 rows hold only zeros"), "{:?}", clip.warnings);
+    assert!(read_as_small(SMALL.as_bytes()).warnings.is_empty());
+    // A body at rest in all rows is no fault of the recorder.
+    let header = &SMALL[..SMALL.find("1 2 3").unwrap()];
+    let still = read("a", (header.to_owned() + &"0 0 0 0 0 0 0 0 0\n".repeat(3)).as_bytes()).unwrap();
+    assert!(!still.warnings.iter().any(|warning| warning.contains("only zeros")), "{:?}", still.warnings);
 }
 
 #[test]
@@ -274,6 +281,10 @@ fn an_inner_joint_that_moves_along_one_axis_is_written_with_its_position() {
         (&again.skeleton.joints[1].channels, &again.values),
         (&clip.skeleton.joints[1].channels, &clip.values)
     );
+    // A change of a hundred thousandth of the body's height is rounding.
+    let rounded = text.replacen("0 5.21 0 7", "5e-5 5.21 0 7", 1);
+    let written = write(&read("a", rounded.as_bytes()).unwrap().with_all_rows());
+    assert_eq!(read("a", written.as_bytes()).unwrap().skeleton.joints[1].channels.len(), 3);
 }
 
 #[test]

@@ -114,3 +114,24 @@ fn across(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<[usize; 2]> {
     }
     across
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::samples;
+
+    #[test]
+    fn the_heading_comes_from_joints_that_are_apart() {
+        let mut skeleton = samples::clip("walk-1").unwrap().skeleton;
+        let place = |name: &str| skeleton.joints.iter().position(|joint| joint.name == name).unwrap();
+        let [left, right, knee, other_knee] = ["LeftUpLeg", "RightUpLeg", "LeftLeg", "RightLeg"].map(place);
+        let anatomy = Anatomy::find(&skeleton).unwrap();
+        assert_eq!(across(&skeleton, &anatomy)[0], [left, right]);
+        for (joint, side) in [(left, 1.0), (right, -1.0)] {
+            let hip = skeleton.joints[joint].offset[0] - side * 0.5;
+            skeleton.joints[joint].offset[0] -= hip;
+            skeleton.joints[joint + 1].offset[0] += hip;
+        }
+        assert_eq!(across(&skeleton, &anatomy)[0], [knee, other_knee]);
+    }
+}

@@ -100,11 +100,23 @@ mod tests {
         let mapping = PoseMapping::new(&walk);
         let heights = mapping.encode(&walk).unwrap().y;
         let mapping = mapping.climbing(&heights);
+        assert_eq!(mapping.climb(&heights), None, "these rows cannot climb once more");
         let encoded = mapping.encode(&walk).unwrap();
         assert!(encoded.y.column(HEIGHT).amax() < 0.1);
         let again = mapping.decode(&encoded.y, &encoded.start, walk.frame_time).unwrap();
         assert!((&again.values - &walk.values).amax() < 1e-9);
         let from_origin = mapping.decode(&encoded.y, &Default::default(), walk.frame_time).unwrap();
         assert!((from_origin.values[(0, 1)] - walk.values[(0, 1)]).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_step_up_at_the_end_is_no_climb() {
+        let mut walk = uphill(0.0);
+        let frames = walk.frames();
+        for t in 3 * frames / 4..frames {
+            walk.values[(t, 1)] += 4.0 * (t - 3 * frames / 4) as f64;
+        }
+        let mapping = PoseMapping::new(&walk);
+        assert_eq!(mapping.climb(&mapping.encode(&walk).unwrap().y), None);
     }
 }

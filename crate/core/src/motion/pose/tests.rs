@@ -151,6 +151,18 @@ fn another_axis_than_that_of_the_mapping_is_found_or_stated() {
 }
 
 #[test]
+fn the_axis_found_in_a_clip_counts_if_the_body_stands_along_it_alone() {
+    let clip = walker();
+    let mapping = PoseMapping::new(&clip);
+    let warning = |lean: f64| {
+        let leaning = in_other_world(&clip, rotation::about_axis(0, lean.to_radians()), Vector3::zeros());
+        mapping.axis_warning(&Clip { found_up: Some(UpAxis::Z), ..leaning })
+    };
+    assert_eq!(warning(5.0), None);
+    assert!(warning(60.0).unwrap().contains("the up axis is z here and y in the body"));
+}
+
+#[test]
 fn rows_do_not_depend_on_the_axes_of_the_root() {
     // The same motion with a root whose y axis points ahead, as in files with bone-aligned joints.
     let clip = walker();
@@ -239,6 +251,9 @@ fn wrong_bodies_widths_and_numbers_are_refused() {
     y[(2, 7)] = f64::NAN;
     let message = mapping.decode(&y, &start, 0.1).unwrap_err().to_string();
     assert!(message.contains("frame 2, column 7"), "{message}");
+    let far = RootStart { position: [0.0, f64::INFINITY, 0.0], ..start };
+    let message = mapping.decode(&DMatrix::zeros(3, 30), &far, 0.1).unwrap_err().to_string();
+    assert!(message.contains("finite numbers"), "{message}");
 }
 
 /// A root whose steps were all small once moved so far that the written file could not be read back.
