@@ -419,3 +419,11 @@ fn movement_primitives_are_read_as_they_were_written() {
         }
     }
 }
+
+/// The text is no JSON, but that is found only after its length.
+#[test]
+fn a_text_of_the_largest_size_is_read() {
+    let error = |bytes: usize| Model::from_json(&"x".repeat(bytes)).unwrap_err();
+    assert!(matches!(error(error::MOST_BYTES), DocumentError::Json(_)));
+    assert!(matches!(error(error::MOST_BYTES + 1), DocumentError::Size { .. }));
+}

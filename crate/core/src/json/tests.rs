@@ -183,3 +183,9 @@ fn values_at_the_limits_are_read() {
     assert!(checks::bounded(&field, &[1e12, -1e12]).is_ok() && checks::bounded(&field, &[-1.1e12]).is_err());
     assert!(checks::positive(&field, &[1e-12, 1e12]).is_ok() && checks::positive(&field, &[1e-13]).is_err());
 }
+
+#[test]
+fn two_escapes_are_one_character_beyond_u_ffff() {
+    assert_eq!(parse(r#""\ud834\udd1e \ud83d\uDE00""#), Ok(Value::text("𝄞 😀")));
+    assert!(parse(r#""\ud834\n""#).is_err() && parse(r#""\ud834u0041""#).is_err());
+}

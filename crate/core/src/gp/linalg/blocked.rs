@@ -156,4 +156,9 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn refuses_a_matrix_whose_last_pivot_is_0() {
+        assert!(factorise(DMatrix::from_element(2, 2, 4.0)).is_none());
+    }
 }

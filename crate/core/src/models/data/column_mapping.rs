@@ -67,3 +67,14 @@ impl ColumnMapping for Columns {
         MAX_POSITIONS / self.names().len().max(1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rollout_of_many_columns_has_fewer_frames() {
+        let most = |count: usize| Columns::new(vec!["x".to_owned(); count], vec![1.0; count]).most_frames();
+        assert_eq!([most(0), most(1), most(4)], [MAX_POSITIONS, MAX_POSITIONS, MAX_POSITIONS / 4]);
+    }
+}

@@ -382,4 +382,24 @@ mod tests {
         let pieces = [walk.cut(0, 40).unwrap(), walk.cut(40, 80).unwrap()];
         assert!(warnings(&pieces.each_ref()).is_empty());
     }
+
+    #[test]
+    fn all_clips_get_the_rate_of_the_first_where_it_is_near_the_rate_asked_for() {
+        let walk = samples::clip("walk-1").unwrap().resample(30.0).unwrap();
+        let [fast, slow] = [30.5, 29.5].map(|rate| Clip { frame_time: 1.0 / rate, ..walk.clone() });
+        let parts = &parts::presets(&walk.skeleton)[1].parts;
+        let dataset = Dataset::new(&[Source::from(&fast), Source::from(&slow)], parts, 30.0).unwrap();
+        assert_eq!(dataset.frame_time, fast.frame_time);
+        // As long as before, in seconds.
+        let steps = (walk.frames() - 1) as f64;
+        let expected = (steps * 30.5 / 29.5).floor() as usize + 1;
+        assert_eq!(dataset.lengths(), [walk.frames(), expected]);
+    }
+
+    #[test]
+    fn a_climb_is_said_in_hundredths_of_leg_lengths() {
+        let warning = climb_warning(-1.234, "down.bvh");
+        let expected = "down.bvh: the root falls steadily, by 1.23 leg lengths in all: ";
+        assert!(warning.starts_with(expected) && warning.ends_with("goes on falling"), "{warning}");
+    }
 }

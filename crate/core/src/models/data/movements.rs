@@ -113,4 +113,17 @@ mod tests {
         assert_eq!(joined.y, [DMatrix::from_row_slice(3, 3, &[1., 1., 2., 1., 1., 2., 1., 1., 2.])]);
         assert_eq!(joined.lengths(), [3]);
     }
+
+    #[test]
+    fn a_whole_movement_has_at_least_four_frames() {
+        let frames = |whole: usize, first: usize| {
+            let sequences =
+                vec![Sequence { frames: whole, whole: true }, Sequence { frames: first, whole: false }];
+            split_trials(&Movements { y: vec![DMatrix::zeros(whole + first, 1)], sequences })
+                .map(|(trials, _)| trials.len())
+        };
+        assert_eq!(frames(4, 1), Ok(2));
+        assert_eq!(frames(3, 1), Err(TrainingError::Short { sequence: 0, expected: 4, found: 3 }));
+        assert_eq!(frames(4, 0), Err(TrainingError::Short { sequence: 1, expected: 1, found: 0 }));
+    }
 }

@@ -409,4 +409,45 @@ mod tests {
             assert!((map.rate * period - 1.0).abs() < 0.02, "{found:?}");
         }
     }
+
+    #[test]
+    fn the_longest_walk_starts_at_phase_0() {
+        let trials = [(90, 0.1), (110, 0.4), (95, 0.85)]
+            .map(|(frames, start)| Trial { y: walk(frames, 35.0, start), whole: true });
+        let found = Alignment::new(&trials, None);
+        let start = found.maps[1].start;
+        assert!((start - start.round()).abs() < 0.02, "{found:?}");
+        assert!(found.maps.iter().all(|map| (0.0..1.0).contains(&map.start)), "{found:?}");
+    }
+
+    #[test]
+    fn still_trials_have_normalised_time() {
+        let trials = [20, 31].map(|frames| Trial { y: DMatrix::zeros(frames, 2), whole: true });
+        assert_eq!(Alignment::new(&trials, None), Alignment::normalised_time(&trials));
+    }
+
+    /// Its frames show the middle of the movement; but no trial begins there.
+    #[test]
+    fn a_partial_trial_starts_at_most_a_tenth_after_the_others() {
+        let y = DMatrix::from_fn(60, 2, |t, d| (8.0 * (t as f64 / 59.0 - 0.5 + 0.1 * d as f64)).tanh());
+        let start = |first: usize| {
+            let part = Trial { y: y.rows(first, 6).into_owned(), whole: false };
+            let trials = [Trial { y: y.clone(), whole: true }, part];
+            Alignment::new(&trials, Some(PhaseAxis::Trial)).maps[1].start
+        };
+        assert!((start(4) - 4.0 / 59.0).abs() < 5e-3, "{}", start(4));
+        assert!(start(25) <= 0.1 && start(25) > 0.09, "{}", start(25));
+    }
+
+    #[test]
+    fn the_largest_stretch_is_reached_and_not_exceeded() {
+        let shape = |phase: f64, d: usize| (8.0 * (phase - 0.5 + 0.1 * d as f64)).tanh();
+        let y = |pace: f64| DMatrix::from_fn(2, 65, |d, t| shape(0.5 + pace * (t as f64 / 64.0 - 0.5), d));
+        let map = PhaseMap { start: 0.0, rate: 1.0 / 64.0 };
+        let template = Template::new(PhaseAxis::Trial, [(&y(1.0), map)]);
+        for (pace, expected, off) in [(0.6, 0.8, 1e-9), (0.9, 0.9, 0.01), (1.6, 1.25, 1e-9)] {
+            let ratio = template.fit(&y(pace), map, MOST_SHIFT, true, true).rate / map.rate;
+            assert!((ratio - expected).abs() < off, "{pace}: {ratio}");
+        }
+    }
 }

@@ -97,4 +97,17 @@ mod tests {
         assert_eq!(warnings(&[still]), ["the table b.csv has the same values in all of its 2 rows"]);
         assert!(warnings(&[table("d.csv", "x,y\n1,2\n3,1\n")]).is_empty());
     }
+
+    #[test]
+    fn the_unit_of_a_column_that_changes_by_rounding_alone_is_1() {
+        let table = table("a.csv", "near 0,near a million\n1e-7,1000000.00001\n-1e-7,999999.99999\n");
+        let units = Dataset::of_tables(&[table], &whole(2), 30.0).unwrap().mapping.units().to_vec();
+        assert!((units[0] - 1e-7).abs() < 1e-15 && units[1] == 1.0, "{units:?}");
+    }
+
+    #[test]
+    fn a_table_without_times_has_the_rate_asked_for() {
+        let dataset = Dataset::of_tables(&[table("a.csv", "x\n1\n2\n")], &whole(1), 25.0).unwrap();
+        assert_eq!((dataset.frame_time, dataset.frames_per_second), (0.04, 25.0));
+    }
 }

@@ -89,5 +89,8 @@ mod tests {
         // Of numbers near 0 and near 1000: the same, and changed by more than rounding.
         let rows = DMatrix::from_row_slice(2, 4, &[0.0, 0.0, -1000.0, -1000.0, 1e-13, 1e-3, -1000.0, -999.0]);
         assert_eq!(changing_columns(&rows), [false, true, false, true]);
+        // The same change counts for small numbers, and is rounding for large ones.
+        let rows = DMatrix::from_row_slice(2, 2, &[0.0, 1e6, 1e-8, 1e6 + 1e-8]);
+        assert_eq!(changing_columns(&rows), [true, false]);
     }
 }

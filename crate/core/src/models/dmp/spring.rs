@@ -237,4 +237,12 @@ mod tests {
             assert!((acceleration + 0.36 * (0.6 * t).sin()).abs() < 0.02, "{t}");
         }
     }
+
+    #[test]
+    fn a_basis_with_next_to_no_energy_has_no_weight() {
+        let gram = DMatrix::from_diagonal(&dvector![1.0, 1e-10, 1e-210]);
+        let weights = regress(&gram, &DMatrix::from_column_slice(3, 1, &[1.0, 1e-10, 1e-210])).unwrap();
+        assert!((weights[0] - 1.0).abs() < 2e-6 && (weights[1] - 1.0).abs() < 2e-6, "{weights}");
+        assert_eq!(weights[2], 0.0);
+    }
 }

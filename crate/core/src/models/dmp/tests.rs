@@ -181,4 +181,7 @@ fn a_learner_needs_one_step_and_refuses_0_bases() {
             assert!(model.rollout(0, 30).unwrap()[0].amax() < 1e-9);
         }
     }
+    let frames = |frames: usize, whole: bool| Trial { y: DMatrix::zeros(frames, 2), whole };
+    let model = Dmp::rhythmic(&[frames(20, true), frames(5, false)], &[2], 8).unwrap();
+    assert!(model.starts.iter().all(|start| start.amplitude == 1.0 && start.map.start == 0.0), "{model:?}");
 }

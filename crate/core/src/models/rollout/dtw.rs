@@ -299,6 +299,9 @@ mod tests {
         let path = warp(4, 4, 1e-4, |_, _| 0.0);
         assert_eq!(path, [(0, 0), (1, 1), (2, 2), (3, 3)]);
         assert_eq!(warp(1, 3, 1e-4, |_, _| 1.0), [(0, 0), (0, 1), (0, 2)]);
+        // Both ways around the middle cost the same: the last step is (1, 0).
+        let middle = |i: usize, j: usize| if (i, j) == (1, 1) { 1.0 } else { 0.0 };
+        assert_eq!(warp(3, 3, 1e-4, middle), [(0, 0), (0, 1), (1, 2), (2, 2)]);
     }
 
     #[test]

@@ -78,4 +78,19 @@ mod tests {
         assert!(!pace.shakes() && Pace { clip_turns_back: None, ..pace }.shakes());
         assert!(!Pace { speed: 0.04, clip_turns_back: None, ..pace }.shakes(), "a viewer does not see it");
     }
+
+    #[test]
+    fn a_fast_motion_is_no_worse_than_itself() {
+        let fast = Pace { times: Some(3.0), turns_back: 0.5, ..Pace::default() };
+        assert!(fast.is_no_worse_than(&fast));
+        assert!(!Pace { times: Some(3.1), ..fast }.is_no_worse_than(&fast));
+        assert!(!Pace { turns_back: 0.6, ..fast }.is_no_worse_than(&fast));
+    }
+
+    #[test]
+    fn a_motion_at_the_limits_does_not_shake() {
+        let pace = Pace { speed: 1.0, times: Some(FAST), turns_back: TURNS, ..Pace::default() };
+        assert!(!pace.shakes());
+        assert!(Pace { turns_back: 0.31, ..pace }.shakes() && Pace { times: Some(2.1), ..pace }.shakes());
+    }
 }

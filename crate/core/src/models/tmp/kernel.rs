@@ -119,4 +119,17 @@ mod tests {
         let difference = cross * kernel.coefficients(&v) - kernel.features(&phases) * &v;
         assert!(difference.amax() < 1e-8, "{difference}");
     }
+
+    #[test]
+    fn the_shortest_lengthscale_needs_at_most_the_most_inducing_phases() {
+        for (axis, range, most) in [
+            (PhaseAxis::Cycle, (0.0, 1.0), 30),
+            (PhaseAxis::Trial, (0.0, 1.0), 48),
+            (PhaseAxis::Trial, (-0.5, 1.5), 48),
+        ] {
+            let kernel = PhaseKernel::new(axis, PhaseKernel::shortest(axis, range), range).unwrap();
+            let count = kernel.inducing.len();
+            assert!(count <= most && count + 4 > most, "{axis:?} {range:?}: {count}");
+        }
+    }
 }

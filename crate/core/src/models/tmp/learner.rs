@@ -343,4 +343,20 @@ mod tests {
         });
         assert_eq!(most, [2 * (10 + 5 + 2) * 30 + 2 * 150, 150]);
     }
+
+    #[test]
+    fn the_search_ends_at_the_most_primitives() {
+        let y = DMatrix::from_fn(30, 4, |t, k| (0.4 * ((k + 1) * t) as f64).sin());
+        let movements = Movements { y: vec![y], sequences: vec![Sequence { frames: 30, whole: true }] };
+        let limits = Limits { most_primitives: 2, max_sweeps: 10 };
+        let mut learner = TmpLearner::within(&movements, &TmpSettings::default(), limits).unwrap();
+        let first = learner.step();
+        assert!((first.fraction * first.max_iterations as f64 - 1.0).abs() < 1e-9, "{}", first.fraction);
+        while !learner.step().done {
+            // A second start of one primitive would be the first one again.
+            assert!(learner.count() > 1 || learner.grown.is_none());
+        }
+        assert_eq!(learner.progress().reason, Some(EndReason::MostPrimitives { best: 2 }));
+        assert!(learner.fitted().unwrap().bounds.iter().all(|(count, _)| *count <= 2));
+    }
 }

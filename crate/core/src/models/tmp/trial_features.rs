@@ -84,3 +84,22 @@ pub fn leading(sums: &CoefficientSums, count: usize) -> DMatrix<f64> {
         sign * (r as f64).sqrt() * axis[i]
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::data::phase::PhaseAxis;
+
+    #[test]
+    fn frames_far_from_all_inducing_phases_are_not_explained() {
+        let kernel = PhaseKernel::new(PhaseAxis::Trial, 0.1, (0.0, 1.0)).unwrap();
+        let trial = Trial { y: DMatrix::zeros(3, 1), whole: false };
+        let identity = Factor::new(&DMatrix::identity(3, 3), "noise").unwrap();
+        for (start, expected) in [(9.0, 3.0), (0.3, 0.0)] {
+            let map = PhaseMap { start, rate: 0.1 };
+            let plain = TrialFeatures::new(&kernel, &trial, &map).residual;
+            let white = TrialFeatures::whitened(&kernel, &trial, &identity, &map).residual;
+            assert!((plain - expected).abs() < 0.01 && (white - plain).abs() < 1e-9, "{plain} {white}");
+        }
+    }
+}

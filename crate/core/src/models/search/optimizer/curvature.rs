@@ -367,6 +367,7 @@ mod tests {
         let mut curvature = Curvature::new(2, 3);
         curvature.learn(&[1.0, 0.0], &[-1.0, 0.0]);
         curvature.learn(&[1.0, 0.0], &[f64::NAN, 0.0]);
+        curvature.learn(&[1.0, 0.0], &[0.0, 0.0]);
         assert!(curvature.is_empty());
         assert_eq!(direction(&mut curvature, &[1.0, -2.0], &[None; 2]).as_slice(), [-1.0, 2.0]);
     }

@@ -164,4 +164,36 @@ mod tests {
             (None, MOST_PROBES)
         );
     }
+
+    /// The value falls to a minimum at 1/3, rises, and is flat and a little lower than at the start from 1 on.
+    #[test]
+    fn a_flat_step_that_gains_next_to_nothing_is_not_accepted() {
+        let f = |t: f64| (-t * (1.0 - t).powi(2) - 1e-4 * t, (1.0 - t) * (3.0 * t - 1.0) - 1e-4);
+        let (step, _) = accepted(1.0, f);
+        assert!(step.is_some_and(|t| t < 0.8), "{step:?}");
+    }
+
+    /// The first steps are better than the start, but behind the minimum.
+    #[test]
+    fn turns_back_to_a_minimum_before_good_steps() {
+        let f = |t: f64| {
+            if t < 0.3 {
+                (-t - 20.0 / 3.0 * t * t, -1.0 - 40.0 / 3.0 * t)
+            } else {
+                (1.1 * (t - 0.3) - 0.9, 1.1)
+            }
+        };
+        let (step, _) = accepted(1.0, f);
+        assert!((step.unwrap() - 0.3).abs() < 1e-2, "{step:?}");
+    }
+
+    #[test]
+    fn the_next_step_is_not_near_an_end_of_the_bracket() {
+        // The minimum of the parabola is at 0.99, near one end.
+        let end = |t: f64| End { t, value: (t - 0.99).powi(2), slope: 2.0 * (t - 0.99) };
+        for (low, high) in [(0.0, 1.0), (1.0, 0.0)] {
+            let next = between(end(low), end(high));
+            assert!((next - (1.0 - MARGIN)).abs() < 1e-12, "{next}");
+        }
+    }
 }

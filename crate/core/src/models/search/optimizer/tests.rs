@@ -160,3 +160,14 @@ fn stays_at_a_minimum() {
     assert_eq!(minimise(vec![0.5], &[(0.5, 1.0)], square), (vec![0.5], 0.25, 0, 1));
     assert_eq!(minimise(vec![], &[], |_| (1.0, vec![])), (vec![], 1.0, 0, 1));
 }
+
+#[test]
+fn ends_after_two_successive_iterations_without_gain() {
+    let mut optimizer = Optimizer::new(vec![0.0], [(-1.0, 1.0)].into_iter());
+    optimizer.point.value = 5.0;
+    let goes_on = [0.0, 1.0, 0.0, 1e-14].map(|gain| {
+        optimizer.better = Point { value: optimizer.point.value - gain, ..optimizer.point.clone() };
+        optimizer.accept()
+    });
+    assert_eq!(goes_on, [true, true, true, false]);
+}
