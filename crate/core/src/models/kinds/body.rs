@@ -136,3 +136,28 @@ impl Body {
         self.mapping.decode_positions(y, &RootStart::default())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::kinds::health::tests::walk;
+
+    #[test]
+    fn a_rollout_with_many_latents_has_fewer_frames() {
+        let body = walk().0.body;
+        let width = MAX_POSITIONS / 1000;
+        assert!(body.check_frames(1000, width).is_ok());
+        assert_eq!(body.check_frames(1001, width), Err(RolloutError::Frames { most: 1000, found: 1001 }));
+        assert!(body.check_frames(1001, 1).is_ok());
+    }
+
+    #[test]
+    fn a_part_without_rows_stays_at_its_mean_pose() {
+        let body = walk().0.body;
+        let ones = DMatrix::from_element(3, body.layout.columns(1).len(), 1.0);
+        let y = body.columns(&[DMatrix::zeros(0, body.layout.columns(0).len()), ones]);
+        assert_eq!(y.nrows(), 3);
+        assert!(body.layout.columns(0).iter().all(|d| y[(2, *d)] == body.column_means[*d]));
+        assert!(body.layout.columns(1).iter().all(|d| y[(2, *d)] == body.column_means[*d] + 1.0));
+    }
+}

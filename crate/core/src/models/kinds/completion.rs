@@ -110,3 +110,22 @@ impl Coupled<'_> {
 fn only(y: &DMatrix<f64>, rows: Range<usize>) -> DMatrix<f64> {
     DMatrix::from_fn(y.nrows(), y.ncols(), |t, c| if rows.contains(&t) { y[(t, c)] } else { f64::NAN })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::kinds::health::tests::walk;
+
+    #[test]
+    fn refuses_given_parts_of_which_one_does_not_exist() {
+        let (model, rollout) = walk();
+        let y = rollout.y.rows(0, 5).into_owned();
+        let complete =
+            |given: &[usize]| model.coupled().unwrap().complete(&RolloutRequest::default(), &y, given, None);
+        assert_eq!(complete(&[0]).unwrap().parts[0].0, 1);
+        for given in [&[0, 2][..], &[2], &[0, 1], &[]] {
+            let refused = complete(given).unwrap_err();
+            assert!(matches!(refused, ObservationError::Given { parts: 2, .. }), "{given:?}: {refused}");
+        }
+    }
+}

@@ -301,16 +301,17 @@ impl Coupled<'_> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::models::data::dataset::Dataset;
     use crate::models::kinds::model::Model;
     use crate::models::kinds::trainer::Trainer;
     use crate::models::training::settings::VariationalSettings;
+    use crate::models::variational::KeptPoints;
     use crate::motion::{parts, samples};
 
     /// A model, and a rollout that repeats the clip as the model makes it, with latents at inducing points.
-    fn walk() -> (Model, Rollout) {
+    pub(in crate::models::kinds) fn walk() -> (Model, Rollout) {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
         let dataset = Dataset::new(&[(&clip).into()], parts, 30.0).unwrap();
@@ -421,6 +422,7 @@ mod tests {
         let [lower, upper] = found.parts[..] else { panic!("two parts") };
         assert!(lower.still_from.is_none() && (upper.still_from.unwrap() - 2.0).abs() < 0.1, "{found:?}");
         assert!(lower.visited > Some(0.9) && upper.visited < Some(FEW), "{found:?}");
+        assert!(found.is_no_worse_than(&found), "{found:?}");
     }
 
     #[test]
@@ -504,5 +506,20 @@ mod tests {
         let found =
             model.coupled().unwrap().health(&rollout, &RolloutRequest::default(), &positions).unwrap();
         assert_eq!((found.state, found.rank, found.parts.len()), (Ending::NotFinite, 0, 0));
+    }
+
+    /// Without the frames of the clips, the inducing points that every part has stand for them.
+    #[test]
+    fn parts_of_files_of_earlier_versions_may_have_different_numbers_of_points() {
+        let (model, _) = walk();
+        let mut fitted = model.coupled().unwrap().model.clone();
+        for start in fitted.starts.iter_mut().flatten() {
+            *start = start.rows(0, 2).into_owned();
+        }
+        let dynamics = fitted.experts.iter().map(|row| row.iter().map(|_| (0..4).collect()).collect());
+        let kept = KeptPoints { poses: vec![vec![0, 1, 2, 3], vec![0, 1, 2]], dynamics: dynamics.collect() };
+        let fewer = fitted.with_points(&kept).unwrap();
+        let (clips, begins) = Coupled::new(&fewer, &model.body, &model.provenance).clip_columns();
+        assert_eq!((clips.nrows(), begins.len()), (3, 0));
     }
 }

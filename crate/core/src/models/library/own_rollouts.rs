@@ -118,7 +118,7 @@ impl Library {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::models::data::dataset::Dataset;
     use crate::models::kinds::health::Ending;
@@ -130,7 +130,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     /// A library of walking and of waving while standing.
-    fn trained(iterations: usize, share_lower: bool) -> TrainedLibrary {
+    pub(in crate::models::library) fn trained(iterations: usize, share_lower: bool) -> TrainedLibrary {
         let clips = ["walk-1", "stand-wave-1"].map(|id| samples::clip(id).unwrap());
         let parts = &parts::presets(&clips[0].skeleton)[1].parts;
         let sources: Vec<_> = clips.iter().map(Into::into).collect();
@@ -169,6 +169,29 @@ mod tests {
         assert!(rounds(&library).iter().all(|rounds| *rounds > 0), "{:?}", rounds(&library));
         let again = TrainedLibrary::from_json(&library.to_json().unwrap()).unwrap();
         assert_eq!(rounds(&again), rounds(&library));
+    }
+
+    #[test]
+    fn the_best_library_so_far_is_known_after_every_step() {
+        let mut library = trained(20, false);
+        // Five frames a second: rollouts of 20 s are soon made.
+        library.body.frame_time = 0.2;
+        let mut rounds = LibraryRollouts::new(library);
+        let learned = |rounds: &LibraryRollouts| rounds.best().library.movements[0].rollout_rounds;
+        let mut fraction = 0.0;
+        while rounds.rounds.as_ref().and_then(OwnRollouts::best).is_none() {
+            assert_eq!(learned(&rounds), 0);
+            rounds.step();
+            assert!((fraction..0.5).contains(&rounds.fraction()), "{fraction} {}", rounds.fraction());
+            fraction = rounds.fraction();
+        }
+        assert!(learned(&rounds) > 0 && fraction > 0.0);
+        // Rows with which the other movement would shake: what makes a movement worse is not kept.
+        for sums in rounds.library.library.movements[1].sums.iter_mut().flatten() {
+            sums.psi1_mu *= 100.0;
+        }
+        rounds.judged.take();
+        assert_eq!(learned(&rounds), 0);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use crate::models::rollout::couplings::Reading;
 use crate::models::rollout::latent_paths::LatentPaths;
 use crate::models::training::pose_weight::PoseWeight;
 use crate::models::training::settings::VariationalSettings;
+use crate::models::variational::testing::fitted;
 use approx::assert_relative_eq;
 
 /// Two parts that move in circles [frames x 3] each. The second waves when `waving`.
@@ -275,4 +276,14 @@ fn motion_tells_still_parts_and_their_leaders() {
     assert_eq!((leader.part, leader.met), (0, false));
     assert!(leader.weight > 0.99);
     assert!(library.motion(&[0], &driven).is_err());
+}
+
+#[test]
+fn the_latent_dimensions_of_a_library_are_those_of_its_largest_part() {
+    let movement = PlannedMovement { name: "walk".to_owned(), sequences: 1 };
+    let plan = LibraryPlan::new(vec![movement], vec![false, false]).unwrap();
+    let trainer = trainer_of(circles(40, 0.3, false), vec![40], &plan, &settings(), 1).unwrap();
+    let mut library = library_of(&trainer, &plan).unwrap();
+    library.parts = fitted(1).parts;
+    assert_eq!((library.latent_dimensions(), library.largest_latent()), (vec![2, 3], 3));
 }

@@ -129,3 +129,18 @@ crate::coded!(WalkError {
     Self::Rollout(reason) => reason.code(),
     _ => Rollout,
 });
+
+#[cfg(test)]
+mod tests {
+    use crate::models::library::own_rollouts::tests::trained;
+
+    #[test]
+    fn a_motion_begins_at_the_latest_at_the_last_frame_with_a_whole_history() {
+        let trained = trained(1, false);
+        let (library, frames) = (&trained.library, trained.library.movements[0].starts[0][0].nrows());
+        let last = frames - library.order;
+        assert!(trained.endless_from(&[0, 2], (0, 0, last)).is_ok());
+        let refused = trained.endless_from(&[0, 2], (0, 0, last + 1)).unwrap_err().to_string();
+        assert!(refused.contains(&format!("from 0 to {last}, found {}", last + 1)), "{refused}");
+    }
+}

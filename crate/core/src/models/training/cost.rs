@@ -102,6 +102,7 @@ impl Sum for TrainingCost {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_relative_eq;
 
     #[test]
     fn costs_of_variational_models_grow_with_frames_and_points() {
@@ -126,6 +127,22 @@ mod tests {
         let scratch = 6.0 + 3.0 + 2.0 + (4.0 + 6.0 + 16.0);
         let numbers = parameters * OPTIMISER_VECTORS + scratch + 8.0 * 9.0;
         assert_eq!(small.cost(1, &[1]).bytes, TrainingCost::new(0.0, 1, numbers).bytes);
+    }
+
+    /// By hand, for ten frames of three and four columns: the steps of each frame, and those of the factors.
+    #[test]
+    fn the_time_of_a_small_training() {
+        let small =
+            VariationalSettings { latent: 2, order: 2, pose_ips: 4, dynamics_ips: 3, ..Default::default() };
+        let poses = 2.0 * 10.0 * 3.0 + 4.0 * 7.0;
+        let dynamics = 4.0 * (6.0 * 5.0 + 4.5 + 3.0 * 2.0);
+        let factors = 2.0 * (216.0 + 64.0);
+        let seconds = ROW_STEP * (10.0 * (poses + dynamics) + factors);
+        assert_relative_eq!(small.cost(10, &[3, 4]).evaluation_seconds, seconds, max_relative = 1e-12);
+        let map = MapSettings { latent: 2, order: 2, ..Default::default() };
+        let entries = 100.0 * (2.0 * 6.0 + 4.0 * 10.0);
+        let seconds = DENSE_STEP * 4000.0 + ENTRY_STEP * entries;
+        assert_relative_eq!(map.cost(10, &[3, 4]).evaluation_seconds, seconds, max_relative = 1e-12);
     }
 
     #[test]

@@ -174,6 +174,7 @@ mod tests {
         let (model, request, path) = scene();
         for (part, map) in model.parts.iter().enumerate() {
             let field = model.latent_field(part, map.r(), &path, &request).unwrap();
+            assert_eq!(model.pose_variance(part, map.r()), Ok(field.pose_variance.clone()));
             for (share, variance) in field.pose_variance.iter().zip(map.covariance().diagonal().iter()) {
                 assert_relative_eq!(*share, variance / map.kernel().variance, epsilon = 1e-4);
             }
@@ -200,5 +201,19 @@ mod tests {
         assert!(model.latent_field(0, &wide, &path, &request).is_err());
         assert!(model.latent_field(9, &path[0], &path, &request).is_err());
         assert!(model.latent_field(0, &path[0], &path[..1], &request).is_err());
+        assert!(model.pose_variance(0, &wide).is_err() && model.pose_variance(9, &path[0]).is_err());
+    }
+
+    #[test]
+    fn a_path_of_one_history_is_enough_and_a_shorter_one_is_not() {
+        let (model, request, path) = scene();
+        let field = |frames: usize| {
+            let short: Vec<_> = path.iter().map(|x| x.rows(0, frames).into_owned()).collect();
+            model.latent_field(0, &short[0], &short, &request)
+        };
+        let taken = path[0].row(model.order) - path[0].row(model.order - 1);
+        let step = field(model.order).unwrap().steps.row(model.order - 1).into_owned();
+        assert_relative_eq!(step, taken, epsilon = 1e-9, max_relative = 1e-7);
+        assert!(field(model.order - 1).is_err());
     }
 }

@@ -83,4 +83,13 @@ mod tests {
             ]
         );
     }
+
+    #[test]
+    fn a_primitive_that_no_movement_uses_reduces_nothing() {
+        let settings = VariationalSettings { dynamics_ips: 12, pose_ips: 16, ..Default::default() };
+        let sequences = Sequences::new(vec![8, 8], settings.order).unwrap();
+        let repertoire = Repertoire::new(sequences, 1, vec![0, 0], vec![(2, vec![0])]).unwrap();
+        let reduced = reduce_settings(&settings, &repertoire, &[DMatrix::zeros(16, 9)]);
+        assert_eq!(reduced, (settings, Vec::new()));
+    }
 }
