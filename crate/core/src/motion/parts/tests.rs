@@ -215,6 +215,21 @@ fn a_split_as_json_has_joints_by_name_or_index() {
 }
 
 #[test]
+fn an_error_names_eight_joints_that_are_in_no_part() {
+    let names: Vec<String> = (0..10).map(|joint| format!("j{joint}")).collect();
+    let joints: Vec<_> =
+        (0..10_usize).map(|joint| (names[joint].as_str(), joint.checked_sub(1), [0.0, 1.0, 0.0])).collect();
+    let error = |joints_in: Vec<usize>| {
+        let part = PartSpec { name: "some".to_owned(), joints: joints_in };
+        check(&[part], &body(&joints)).unwrap_err().to_string()
+    };
+    let eight = error(vec![0, 1]);
+    assert!(eight.contains("\"j9\" (9)") && !eight.contains("more"), "{eight}");
+    let nine = error(vec![0]);
+    assert!(nine.contains("\"j8\" (8) and 1 more"), "{nine}");
+}
+
+#[test]
 fn each_part_gets_its_columns_in_their_order() {
     let skeleton = person(["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m"]);
     let channels = skeleton.channel_count();
