@@ -1,7 +1,6 @@
 //! Limbs that come in mirrored pairs, and the direction in which they carry the body.
 
 use crate::motion::skeleton::Skeleton;
-use crate::motion::stage_axes::UpAxis;
 use nalgebra::Vector3;
 
 /// Two subtrees of one joint that mirror each other.
@@ -24,14 +23,10 @@ pub(crate) fn long_pairs(pairs: &[Pair]) -> Vec<&Pair> {
     pairs.iter().filter(|pair| pair.reach > 0.4 * longest).collect()
 }
 
-/// A limb touches the ground when its lowest node is within this share of the body's size above the lowest
-/// node of the body.
-const TOUCHES: f64 = 0.05;
-
 /// Limbs agree when the sum of their vectors has this share of the length of all pairs.
 const AGREES: f64 = 0.5;
 
-/// All limbs of a body, each with its socket, its tip and its nodes.
+/// All limbs of a body, each with its socket and its tip.
 pub(crate) struct Limbs {
     limbs: Vec<LimbNodes>,
     /// The sum of the lengths of all limbs.
@@ -43,24 +38,19 @@ struct LimbNodes {
     pair: usize,
     socket: usize,
     tip: usize,
-    nodes: Vec<usize>,
 }
 
 impl Limbs {
     /// The limbs of a body; `None` if nothing is mirrored.
     pub(crate) fn find(skeleton: &Skeleton) -> Option<Limbs> {
         let pairs = mirrored_pairs(skeleton);
-        let figure = skeleton.figure();
         let mut found = Limbs { limbs: Vec::new(), length: 0.0 };
         for (number, pair) in long_pairs(&pairs).into_iter().enumerate() {
             for (socket, tip) in pair.members.into_iter().zip(pair.tips) {
                 if found.limbs.iter().any(|limb| limb.socket == socket) {
                     continue;
                 }
-                let nodes = (0..figure.len())
-                    .filter(|&node| is_within(skeleton, figure[node].joint, socket))
-                    .collect();
-                found.limbs.push(LimbNodes { pair: number, socket, tip, nodes });
+                found.limbs.push(LimbNodes { pair: number, socket, tip });
                 found.length += pair.reach;
             }
         }
@@ -86,15 +76,6 @@ impl Limbs {
         }
         let lengths: f64 = pairs.iter().map(Vector3::norm).sum();
         pairs.iter().sum::<Vector3<f64>>().norm() >= AGREES * lengths
-    }
-
-    /// The share of the limbs that touch the ground if the axis points up.
-    pub(crate) fn on_ground(&self, places: &[Vector3<f64>], up: UpAxis) -> f64 {
-        let height = |place: &Vector3<f64>| up.height(place);
-        let low = places.iter().map(height).fold(f64::INFINITY, f64::min);
-        let limit = low + TOUCHES * extents(places).max();
-        let touches = |limb: &&LimbNodes| limb.nodes.iter().any(|&node| height(&places[node]) <= limit);
-        self.limbs.iter().filter(touches).count() as f64 / self.limbs.len() as f64
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::motion::anatomy::Anatomy;
 use crate::motion::clip::Clip;
 use crate::motion::joint_names::Side;
-use crate::motion::limbs::{Limbs, extents, is_clear};
+use crate::motion::limbs::{Limbs, extents};
 use crate::motion::skeleton::WorldPose;
 use crate::motion::stage_axes::UpAxis;
 use nalgebra::{Matrix3, Vector3};
@@ -70,8 +70,6 @@ struct LimbSums {
     limbs: Limbs,
     /// The sum of [`Limbs::upward`].
     upward: Vector3<f64>,
-    /// The sum of [`Limbs::on_ground`] for each of [`UpAxis::ALL`].
-    on_ground: [f64; 6],
 }
 
 /// The axis that points up.
@@ -205,11 +203,7 @@ impl Clip {
             touched: [[0; 2]; 6],
             low: Vector3::repeat(f64::INFINITY),
             high: Vector3::repeat(f64::NEG_INFINITY),
-            limbs: Limbs::find(&self.skeleton).map(|limbs| LimbSums {
-                limbs,
-                upward: Vector3::zeros(),
-                on_ground: [0.0; 6],
-            }),
+            limbs: Limbs::find(&self.skeleton).map(|limbs| LimbSums { limbs, upward: Vector3::zeros() }),
             root: [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)],
             turns: Matrix3::zeros(),
         };
@@ -221,11 +215,8 @@ impl Clip {
                 let upward = places[head] - 0.5 * (places[left] + places[right]);
                 *sum += upward.try_normalize(0.0).unwrap_or_default();
             }
-            if let Some(LimbSums { limbs, upward, on_ground }) = reach.limbs.as_mut() {
+            if let Some(LimbSums { limbs, upward }) = reach.limbs.as_mut() {
                 *upward += limbs.upward(&places);
-                for (sum, up) in on_ground.iter_mut().zip(UpAxis::ALL) {
-                    *sum += limbs.on_ground(&places, up);
-                }
             }
             reach.root = [reach.root[0].inf(&places[0]), reach.root[1].sup(&places[0])];
             let start = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
@@ -316,32 +307,15 @@ impl Clip {
         found(others)
     }
 
-    /// The axis of a body without a head or without feet: the longest side of the rest pose's box along which
-    /// the body does not travel, y before z before x; or the direction in which its limbs carry it, if more
-    /// speaks for this axis: limbs on one plane, and no way along the axis.
+    /// The axis of a body in which no head and feet are found: the longest side of the rest pose's box
+    /// along which the body does not travel, y before z before x.
     fn axis_without_head(&self, reach: &Reach) -> UpAxis {
         let way = reach.root[1] - reach.root[0];
-        let usual = if Anatomy::find(&self.skeleton).is_some() {
-            UpAxis::Y
-        } else {
-            let extent = extents(&self.skeleton.rest_pose().positions);
-            let stays = |axis: &usize| way[*axis] <= extent.max();
-            let longest = [1, 2, 0].into_iter().filter(stays).map(|axis| extent[axis]).fold(0.0, f64::max);
-            let axis = [1, 2, 0].into_iter().filter(stays).find(|&axis| extent[axis] >= 0.999 * longest);
-            UpAxis::new(axis.unwrap_or(1), false)
-        };
-        let Some(sums) = &reach.limbs else { return usual };
-        let frames = self.frames().max(1) as f64;
-        let upward = sums.upward / frames;
-        let by_limbs = UpAxis::along(&upward);
-        if !is_clear(&upward) || by_limbs.letter() == usual.letter() {
-            return usual;
-        }
-        let evidence = |up: UpAxis| {
-            let place = UpAxis::ALL.iter().position(|&axis| axis == up).unwrap_or_default();
-            sums.on_ground[place] / frames - (up.height(&way).abs() / self.skeleton.height()).min(1.0)
-        };
-        if evidence(by_limbs) > evidence(usual) { by_limbs } else { usual }
+        let extent = extents(&self.skeleton.rest_pose().positions);
+        let stays = |axis: &usize| way[*axis] <= extent.max();
+        let longest = [1, 2, 0].into_iter().filter(stays).map(|axis| extent[axis]).fold(0.0, f64::max);
+        let axis = [1, 2, 0].into_iter().filter(stays).find(|&axis| extent[axis] >= 0.999 * longest);
+        UpAxis::new(axis.unwrap_or(1), false)
     }
 }
 
