@@ -206,10 +206,12 @@ export async function resize(
   /** @type {{ width: number, height: number }} */ size,
 ) {
   await page.setViewportSize(size);
-  await page.evaluate(
-    () => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))),
-  );
+  await drawn(page);
 }
+
+/** Waits until the page is drawn as it is now. */
+export const drawn = (/** @type {Page} */ page) =>
+  page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
 
 /** Opens a panel of the Lab next to its picture; "none": closes the one that is open. */
 export async function openPanel(
@@ -312,8 +314,12 @@ export async function readyVisitor(/** @type {Promise<Visitor>} */ coming) {
   return visitor;
 }
 
-/** Repeats a check until it holds, for 10 seconds unless more are given: a busy machine shows a change late. */
-export async function soon(/** @type {() => Promise<void>} */ check, seconds = 10) {
+/**
+ * Repeats a check until it holds, for 10 seconds unless more are given: a busy machine shows a change late.
+ * @template T
+ * @param {() => Promise<T>} check
+ */
+export async function soon(check, seconds = 10) {
   const end = performance.now() + 1000 * seconds;
   for (;;) {
     try {
