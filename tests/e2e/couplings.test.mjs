@@ -46,7 +46,6 @@ async function measured(/** @type {Page} */ page) {
 
 /** The coupling variances in the page's address, by "source.target". */
 async function alphasOf(/** @type {Page} */ page) {
-  await page.waitForTimeout(600);
   const text = new URLSearchParams(new URL(page.url()).hash.slice(1)).get("alpha") ?? "";
   const entries = text.split(",").filter(Boolean);
   return new Map(
@@ -129,6 +128,7 @@ describe("an arrow between two loops", () => {
     const weaker = await thickness(page);
     await page.keyboard.press("PageDown");
     await soon(async () => assert.ok((await thickness(page)) < weaker));
+    await soon(async () => assert.equal((await alphasOf(page)).size, 1, "in the address"));
     await page.getByTestId("coupling-0-1").dblclick();
     await soon(async () => assert.equal(await weight(page), weightBefore));
     await soon(async () => assert.equal((await alphasOf(page)).size, 0, "as learned again"));
@@ -221,9 +221,10 @@ describe("the picture of the Lab", () => {
     assert.equal(await weight.innerText(), "≈ 0");
     assert.ok(Number(await paleness()) < full / 2);
     assert.match((await slider.getAttribute("aria-valuetext")) ?? "", /weight ≈ 0/);
+    await soon(async () => assert.equal((await alphasOf(page)).size, 1, "in the address"));
     await page.keyboard.press("Delete");
     assert.equal(Number(await weight.innerText()), before);
-    assert.equal((await alphasOf(page)).size, 0, "as learned again");
+    await soon(async () => assert.equal((await alphasOf(page)).size, 0, "as learned again"));
   });
 });
 

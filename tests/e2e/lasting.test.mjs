@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { it } from "node:test";
 import { setTimeout } from "node:timers/promises";
 import { bvh } from "./clips.mjs";
-import { drop, openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
+import { drop, openPanel, openedSite, ready, saved, seldom, soon } from "./site.mjs";
 
 const site = openedSite();
 
@@ -23,7 +23,7 @@ seldom.describe("the worker that shows the model", () => {
     await ready(page);
     const model = await saved(page, "save-model");
     await page.getByTestId("coupling-0-1").fill("1.5");
-    await page.waitForTimeout(500);
+    await page.locator("[data-testid=measured][data-current=yes]").waitFor();
     const motion = await saved(page, "save-motion");
 
     const names = await Promise.all(page.workers().map(nameOf));
@@ -33,7 +33,7 @@ seldom.describe("the worker that shows the model", () => {
     assert.deepEqual(await saved(page, "save-model"), model);
     assert.deepEqual(await saved(page, "save-motion"), motion);
     await page.getByTestId("coupling-0-1").fill("2.5");
-    await page.waitForTimeout(500);
+    await page.locator("[data-testid=measured][data-current=yes]").waitFor();
     assert.notEqual((await saved(page, "save-motion")).text, motion.text);
     // A clip is written by another worker.
     await openPanel(page, "learn");
@@ -108,7 +108,10 @@ seldom.describe("a worker that trains", () => {
     page.on("worker", (worker) => workers.push(worker));
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=running]").nth(1).waitFor();
-    await page.waitForTimeout(500);
+    const computed = page.locator("[data-testid=run] progress").first();
+    await soon(async () =>
+      assert.ok((await computed.evaluate((bar) => /** @type {HTMLProgressElement} */ (bar).value)) > 0),
+    );
     await close(workers[0]);
     await page.locator("[data-testid=run][data-state=failed]").waitFor({ timeout: 5000 });
     await page.getByTestId("runs").getByText("the worker that computed it stopped").waitFor();

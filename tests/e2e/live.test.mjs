@@ -2,7 +2,7 @@
 // moves on without a pause.
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
-import { barriers, choosePreset, openedSite, ready, seldom } from "./site.mjs";
+import { barriers, choosePreset, openedSite, ready, seldom, soon } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -128,9 +128,10 @@ describe("a live rollout", () => {
     await page.getByTestId("stage").focus();
     await page.keyboard.down("c");
     await page.locator("[data-step='out of step']").waitFor();
-    await page.waitForTimeout(2000);
-    const live = Number.parseFloat(await arms.innerText());
-    assert.ok(Math.abs(live / alone - 1) < 0.05, `live ${live} s, rollout ${alone} s`);
+    await soon(async () => {
+      const live = Number.parseFloat(await arms.innerText());
+      assert.ok(Math.abs(live / alone - 1) < 0.05, `live ${live} s, rollout ${alone} s`);
+    });
     await page.getByTestId("reading").selectOption("as-learned");
     await page
       .locator("[data-testid=clock-period-1]", { hasText: "keeps one pose" })

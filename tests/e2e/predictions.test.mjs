@@ -5,7 +5,7 @@ import { describe, it } from "node:test";
 import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { oneVisitor, openedSite, ready, readyVisitor, rests, seldom } from "./site.mjs";
+import { oneVisitor, openedSite, ready, readyVisitor, rests, seldom, soon } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @typedef {{ x: number, y: number, major: number, minor: number }} Ellipse */
@@ -87,13 +87,15 @@ describe("the product of experts", () => {
     const rollout = model.rollout({ frames, sequence: 0, alpha: ALPHA, reading: "as-learned" });
     const [predicted, weights] = [rollout.predictions(), rollout.weights()];
     const row = FRAME - predicted.firstFrame;
-    // The page asks for predictions a moment after the rollout has stopped.
-    await page.waitForTimeout(1000);
     for (const plot of ["2-D", "3-D"]) {
       await page.getByRole("button", { name: plot }).click();
       for (const [part] of coupledInfo(model).parts.entries()) {
-        const picture = await drawn(page, part);
-        assert.ok(picture, "predictions are drawn");
+        // The page asks for predictions a moment after the rollout has stopped.
+        const picture = await soon(async () => {
+          const picture = await drawn(page, part);
+          assert.ok(picture, "predictions are drawn");
+          return picture;
+        });
         const { experts, product, step } = picture;
         assert.equal(experts.length, 2);
         const scale = product.major / Math.sqrt(predicted.variances(part)[row] ?? Number.NaN);

@@ -1,6 +1,6 @@
 // The seventh chapter of the story: a pulled walk comes home, by button, pointer and keyboard.
 import assert from "node:assert/strict";
-import { openedSite, seldom } from "./site.mjs";
+import { openedSite, seldom, soon } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -71,9 +71,10 @@ seldom.it("measures how a pulled hand comes home, and lets the visitor pull agai
   const begun = await legs();
   assert.equal(begun.driven, 0);
   for (let k = 0; k < 5; k++) await page.keyboard.press("ArrowLeft");
-  await page.waitForTimeout(600);
-  const turns = (await legs()).phase - begun.phase;
-  assert.ok(turns - Math.round(turns) < -0.15, `back by ${turns} turns`);
+  await soon(async () => {
+    const turns = (await legs()).phase - begun.phase;
+    assert.ok(turns - Math.round(turns) < -0.15, `back by ${turns} turns`);
+  });
   await page.keyboard.press("Escape");
   assert.equal((await legs()).driven, null);
   assert.equal(await page.getByTestId("homecoming").innerText(), said);
