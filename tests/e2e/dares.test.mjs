@@ -1,7 +1,7 @@
 // A link dares its receiver, whose page says when the dare is met.
 import assert from "node:assert/strict";
 import { it } from "node:test";
-import { barriersNow, openedSite, ready, soon, squares, seldom } from "./site.mjs";
+import { barriersNow, openedSite, ready, soon, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -39,7 +39,7 @@ it("stops the arms of a body with one arrow", async () => {
 });
 
 seldom.it("stops one hand of a drawing with one arrow", async () => {
-  // The exercise of a class has the task of the dare, with the visitor's own drawing.
+  // The exercise of a class has the task of the dare. Not every drawing of two hands can meet it: the example can.
   const { page } = await site.visit({ settings: "view=draw&exercise=9" });
   await ready(page);
   const drawn = (/** @type {Page} */ at) =>
@@ -48,10 +48,7 @@ seldom.it("stops one hand of a drawing with one arrow", async () => {
     });
   await page.getByTestId("draw-example").click();
   await drawn(page);
-  await page.getByTestId("pad-0").focus();
-  await squares(page);
   await page.waitForFunction(() => /hand=01\./.test(location.hash));
-  await drawn(page);
   assert.equal(await page.getByTestId("dare").getAttribute("data-met"), "no");
   await page.getByTestId("says").fill("Can you?");
   await page.getByTestId("send").click();
