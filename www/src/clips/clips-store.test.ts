@@ -135,6 +135,7 @@ describe("the frames a second of a file", () => {
     await clips.state("own-4", { fps: 120 });
     expect(clips.toTrainOn[0]).toMatchObject({ source: { name: "crab", fps: 120 } });
     expect(clips.all.at(-1)?.loaded.info.frameTime).toBe(1 / 120);
+    expect(stage.content?.motion.frameTime).toBe(1 / 120);
     await clips.state("own-4", { fps: Number.NaN });
     expect(clips.all.at(-1)?.loaded.info.frameTime).toBe(1 / 120);
   });

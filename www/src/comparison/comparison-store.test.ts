@@ -115,8 +115,9 @@ describe("a comparison", () => {
   });
 
   it("runs a training on each worker, and reports the progress", async () => {
+    expect(comparison.isPlanning).toBe(false);
     const { over } = await begun();
-    expect(comparison.status).toBe("running");
+    expect([comparison.status, comparison.isPlanning]).toEqual(["running", false]);
     expect(states()).toBe("running running waiting waiting waiting waiting");
     trainings()[0]?.given[1](0.5);
     expect(comparison.shown?.jobs[0]?.fraction).toBe(0.5);

@@ -25,8 +25,11 @@ it("shows a recording that the model has completed, with the recording as an out
   expect(kinds()).toEqual(["completed", true, 1]);
   expect(asked().at(-1)).toMatchObject({ until: null, alpha: null });
   expect(stage.ghost?.positions).not.toEqual(stage.content?.motion.positions);
+  const seen: boolean[] = [];
+  completing.on(() => seen.push(completing.shown));
   completing.hide();
   expect(kinds()).toEqual(["model", false, 0]);
+  expect(seen).toEqual([false]);
 });
 
 it("asks again for other couplings, another part and an earlier end, and once for each", async () => {

@@ -84,5 +84,6 @@ describe("a trace of phases", () => {
     expect(trace.locking(1, 60)).toBeNull();
     trace.add(120, [circle(30), circle(30)], 120);
     expect(trace.turns(0, 30)).toBe(trace.turns(0, 120));
+    expect(trace.locking(1, 60)).toBeNull();
   });
 });

@@ -69,6 +69,18 @@ describe("labels of points", () => {
   });
 });
 
+it("places no label over the mark at its left", () => {
+  const within = { x: 0, y: 0, width: 200, height: 100 };
+  const points = [
+    { x: 190, y: 50 },
+    { x: 146, y: 56 },
+  ];
+  const [label] = placeLabels(points, [36, 36], 12, 4, within);
+  // At its left the mark ends at x = 150, and there is no space at its right.
+  expect(label!.x > 150 || label!.y + label!.height <= 52 || label!.y >= 60).toBe(true);
+  expect(label!.x + label!.width).toBeLessThanOrEqual(200);
+});
+
 it("leaves out a label that would overlap another one", () => {
   const crowd = Array.from({ length: 12 }, (_, i) => ({ x: 50 + i, y: 50 }));
   const boxes = placeLabels(crowd, new Array(12).fill(60), 14, 4, { x: 0, y: 0, width: 140, height: 100 });

@@ -35,6 +35,8 @@ it("records ten seconds that the stage shows as a clip which says how it was mad
   await performed.start();
   expect([live.running, performed.isRecording, performed.left]).toEqual([true, true, 10]);
   await pass(7);
+  // A second press does not begin again.
+  await performed.start();
   live.drive(0, 0.1, true);
   await live.hold(0, 1, true);
   await pass(1.1, 60);

@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
-import { drawApart, HEIGHT, WIDTH } from "./body-layout";
+import { HeldWorkers } from "../engine/held.fake";
+import { bodyOf, drawApart, HEIGHT, WIDTH } from "./body-layout";
 
 it("moves nodes away from each other, also from the same spot, and keeps them in the map", () => {
   for (const spots of [
@@ -24,4 +25,17 @@ it("moves nodes away from each other, also from the same spot, and keeps them in
       for (const b of apart.slice(i + 1)) expect(Math.hypot(a.x - b.x, a.y - b.y)).toBeGreaterThan(40);
     });
   }
+});
+
+it("draws a body as tall as its map, upright, with each part where its joints are", async () => {
+  const { info, motion } = await new HeldWorkers().started().clips.readClip({ sample: "walk-1" });
+  const { parts } = info.presets.find(({ id }) => id === "lower-upper")!;
+  const { spots, bones } = bodyOf({ ...info, parts }, motion);
+  const heights = bones.flatMap(({ a, b }) => [a.y, b.y]);
+  const [top, bottom] = [Math.min(...heights), Math.max(...heights)];
+  expect(top).toBeGreaterThan(0);
+  expect(bottom).toBeLessThan(HEIGHT);
+  expect(bottom - top).toBeGreaterThan(0.8 * HEIGHT);
+  const [lower, upper] = spots;
+  expect(upper!.y).toBeLessThan(lower!.y);
 });

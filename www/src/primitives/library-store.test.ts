@@ -211,6 +211,22 @@ describe("the combination that walks", () => {
     expect(left()).toBe(0);
   });
 
+  it("shows a paused visitor the couplings of its movement, also after those that were set before they came", async () => {
+    await opened();
+    await pass(0.5);
+    library.playback.togglePlay();
+    workers.hold("nearestCouplings");
+    library.choose(1, 2);
+    await workers.settled();
+    library.couplings.set(0, 1, 9);
+    const { frame } = library.playback;
+    workers.held("nearestCouplings")[0]?.go();
+    await workers.settled();
+    expect(library.couplings.alpha).toEqual(library.current?.info.movements[0]?.alpha);
+    expect(changes()?.at(-1)).toMatchObject({ kind: "couplings", alpha: library.couplings.alpha });
+    expect(library.playback.frame).toBe(frame + TRANSITION_FRAMES);
+  });
+
   it("applies the newest couplings and tempos", async () => {
     await opened();
     for (const alpha of [5, 6, 7]) library.couplings.set(0, 1, alpha);

@@ -100,6 +100,14 @@ describe("settings in the URL", () => {
     });
   });
 
+  it("names neighbouring joints of a part by the first and the last, so that links stay short", () => {
+    const split = [
+      { name: "legs", joints: [3, 0, 1, 2, 7] },
+      { name: "rest", joints: [4, 5, 6] },
+    ];
+    expect(writeSettings({ ...initialSettings(), split })).toBe("split=legs:0-3.7;rest:4-6");
+  });
+
   it("counts the trial held out from 0, and in the URL from 1", () => {
     expect(readSettings("#heldout=3").heldOut).toBe(2);
     expect(writeSettings({ ...initialSettings(), heldOut: 0 })).toBe("heldout=1");

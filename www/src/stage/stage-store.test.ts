@@ -60,6 +60,16 @@ describe("the stage", () => {
     expect(playback.frame).toBe(0);
   });
 
+  it("changes once when the same recording is outlined again and again", () => {
+    const shown = vi.fn();
+    stage.on(shown);
+    const { motion } = walk("clip", "a");
+    for (let times = 0; times < 3; times++) stage.setRecording(motion);
+    expect(shown).toHaveBeenCalledTimes(1);
+    stage.setRecording(null);
+    expect(shown).toHaveBeenCalledTimes(2);
+  });
+
   it("keeps the clip while the model has no motion", () => {
     stage.showClip(walk("clip", "a"));
     stage.endClip();
