@@ -60,3 +60,24 @@ it("says that a damaged link has no drawing, and removes it from the address", (
   expect(store.words).toMatch(/no drawing that can be read/);
   expect(settings.values.drawing).toBe("");
 });
+
+it("writes what is drawn here into the address, and leaves a link as it was sent", async () => {
+  const workers = new HeldWorkers();
+  const small = { dynamicsIps: 4, poseIps: 4, maxIterations: 1 };
+  workers.answer("trainSeries", (real, job, ...others) =>
+    real({ ...job, settings: { ...job.settings, ...small } }, ...others),
+  );
+  const store = new DrawingStore(workers);
+  const settings = new SettingsStore({ read: () => "", write() {}, push() {} });
+  keepInAddress(store, settings);
+  await store.example([0]);
+  const own = settings.values.drawing;
+  expect(own).toBe(textOf(store.drawn?.drawing ?? assert.fail(), [0]));
+  const sent = { drawing: textOf(drawing ?? assert.fail(), [0, 1]), says: "for you" };
+  const learned = new Promise<void>((done) => store.on(() => store.drawn?.pads.length === 2 && done()));
+  settings.change(sent);
+  await learned;
+  expect(settings.values).toMatchObject(sent);
+  await store.example([0]);
+  expect(settings.values).toMatchObject({ drawing: own, says: "" });
+});

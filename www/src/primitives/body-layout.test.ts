@@ -29,7 +29,8 @@ it("moves nodes away from each other, also from the same spot, and keeps them in
 
 it("draws a body as tall as its map, upright, with each part where its joints are", async () => {
   const { info, motion } = await new HeldWorkers().started().clips.readClip({ sample: "walk-1" });
-  const { parts } = info.presets.find(({ id }) => id === "lower-upper")!;
+  const preset = info.presets.find(({ id }) => id === "lower-upper")!;
+  const parts = preset.parts.map((part) => ({ ...part, latent: 1, poseIps: 1 }));
   const { spots, bones } = bodyOf({ ...info, parts }, motion);
   const heights = bones.flatMap(({ a, b }) => [a.y, b.y]);
   const [top, bottom] = [Math.min(...heights), Math.max(...heights)];
