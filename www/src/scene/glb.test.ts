@@ -1,4 +1,4 @@
-import { AnimationMixer, Vector3 } from "three";
+import { AnimationMixer, type SkinnedMesh, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { beforeAll, expect, it } from "vitest";
 import type { Figure } from "../engine/protocol";
@@ -89,8 +89,13 @@ it("opens in three's own loader with the same places, for each up axis of the BV
     });
   });
   // Four bones with eight triangles each, and with one bone for each corner.
-  const skin = scene.getObjectByProperty("type", "SkinnedMesh");
+  const skin = scene.getObjectByProperty("type", "SkinnedMesh") as SkinnedMesh;
   expect(skin).toMatchObject({ geometry: { attributes: { position: { count: 96 } } } });
+  // No node has x < 0: what is there is half the width of the widest bone, that of 45 cm.
+  skin.geometry.computeBoundingBox();
+  const { x } = skin.geometry.boundingBox!.min;
+  expect(x).toBeLessThan(-0.05 * 45);
+  expect(x).toBeGreaterThan(-0.15 * 45);
 });
 
 it("refuses a text without a skeleton", async () => {
