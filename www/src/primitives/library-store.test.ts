@@ -211,7 +211,7 @@ describe("the combination that walks", () => {
     expect(left()).toBe(0);
   });
 
-  it("shows a paused visitor the couplings of its movement, also after those that were set before they came", async () => {
+  it("moves a paused figure on when the couplings of its movement replace one that was set meanwhile", async () => {
     await opened();
     await pass(0.5);
     library.playback.togglePlay();
