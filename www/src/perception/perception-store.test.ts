@@ -97,8 +97,11 @@ describe("a study", () => {
     await store.change({ preset: "class" });
     await store.openStudy(async () => studyText("walks"));
     expect([store.study?.info.title, visitor.asked.length]).toEqual(["runs", 1]);
+    const seen: unknown[] = [];
+    const stop = store.on(() => seen.push(store.unsaved));
     store.saveStudy();
-    expect(vi.mocked(download)).toHaveBeenCalledOnce();
+    expect([vi.mocked(download).mock.calls.length, seen]).toEqual([1, [null]]);
+    stop();
     await store.openStudy(async () => studyText("made"), true);
     expect([store.study?.info.title, visitor.asked.length]).toEqual(["made", 1]);
     visitor.arrives("discard");
