@@ -13,7 +13,7 @@ export interface Spot {
   y: number;
 }
 
-/** A body from the front: a spot for each part, and the bones behind them. */
+/** A body from behind: a spot for each part, and the bones behind them. */
 export interface Body {
   spots: Spot[];
   bones: { a: Spot; b: Spot; part: number }[];
@@ -22,7 +22,7 @@ export interface Body {
 /** Frames between the two poses that define the heading of the body. */
 const HEADING_FRAMES = 45;
 
-/** The first pose from the front, and a spot near the middle of each part. */
+/** The first pose from behind, so that its left is at the left, and a spot near the middle of each part. */
 export function bodyOf(
   { figure, joints, parts }: Pick<ModelInfo, "figure" | "joints" | "parts">,
   motion: Motion,
