@@ -24,8 +24,11 @@ export function findChromium() {
   return NAMES.map(which).find((file) => file !== null) ?? MAC.find((file) => existsSync(file)) ?? null;
 }
 
-/** Starts the browser without a window, with WebGL drawn in software. */
-export async function launchChromium() {
+/** The variable with the address of a browser that several processes share. */
+const SHARED = "SHARED_CHROMIUM";
+
+/** The program, and how it draws WebGL in software, without a window. */
+function settings() {
   const executablePath = findChromium();
   if (!executablePath) {
     throw new Failure(
@@ -40,9 +43,26 @@ export async function launchChromium() {
     ...["--disable-gpu-compositing", "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"],
     `--disable-features=${OFF.join(",")}`,
   ];
+  return { executablePath, args };
+}
+
+/** Starts the browser, or a connection to the one of `sharedChromium`. */
+export async function launchChromium() {
   // Imported here: `npm test` reads this file before the npm packages are installed.
   const { chromium } = await import("playwright-core");
-  return chromium.launch({ executablePath, args });
+  const shared = process.env[SHARED];
+  return shared ? chromium.connect(shared) : chromium.launch(settings());
+}
+
+/** Starts one browser for this process and for those that it starts: a start takes more than a second of a core. */
+export async function sharedChromium() {
+  const { chromium } = await import("playwright-core");
+  const server = await chromium.launchServer(settings());
+  process.env[SHARED] = server.wsEndpoint();
+  return async () => {
+    delete process.env[SHARED];
+    await server.close();
+  };
 }
 
 /**

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { at, env, Failure, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
-import { findChromium } from "./chromium.mjs";
+import { findChromium, sharedChromium } from "./chromium.mjs";
 import { compileLibrary, compileTests, NATIVE, TESTS } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
 import { checkLines } from "./lines.mjs";
@@ -35,8 +35,10 @@ const THIS_STEP = "--this-step";
 
 /**
  * A step may return a note. A note that begins with "skipped: " says why this machine cannot do the step.
- * `seldom`: a step of `--all`.
- * @typedef {{ name: string, what: string, needs?: string, seldom?: true, work: () => Promise<string | void> }} Step
+ * `seldom`: a step of `--all`. `compiles`: it compiles Rust, and nothing in it waits for a browser.
+ * @typedef {{
+ *   name: string, what: string, needs?: string, seldom?: true, compiles?: boolean, work: () => Promise<string | void>
+ * }} Step
  */
 
 /** @type {Step[]} */
@@ -46,7 +48,7 @@ const PAGE_STEPS = [
   { name: "locks", what: "hashes in the lock files", work: checkLocks },
   { name: "lines", what: "size of the project", work: async () => checkLines() },
   { name: "imports", what: "order and circles of imports", work: imports },
-  { name: "build", what: "wasm package and page", work: () => build({ small: !often() }) },
+  { name: "build", what: "wasm package and page", compiles: true, work: () => build({ small: !often() }) },
   { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh({ small: !often() }) },
   { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
   { name: "types", what: "TypeScript, strict", needs: "build", work: types },
@@ -85,14 +87,12 @@ const RUST_STEPS = [
 ];
 
 /**
- * Both lanes run at once, each one step after the other: browsers wait much, and a linker uses one core. Rust
- * has the lower priority, so that a test in a browser does not wait for the compiler.
+ * Both lanes run at once, each one step after the other: browsers wait much, and a linker uses one core. What
+ * compiles Rust has the lower priority, so that a test in a browser does not wait for the compiler.
  */
-const LANES = [
-  { steps: PAGE_STEPS, priority: 0 },
-  { steps: RUST_STEPS, priority: 10 },
-];
-const STEPS = LANES.flatMap(({ steps }) => steps);
+const LANES = [PAGE_STEPS, RUST_STEPS.map((step) => ({ ...step, compiles: true }))];
+const PATIENT = 10;
+const STEPS = LANES.flat();
 
 /** Which files may use each other: the rules are in tools/page-imports and tools/rust-imports. */
 async function imports() {
@@ -185,7 +185,12 @@ async function rustInWasm() {
 async function page() {
   // Each file would say the same after it has served the page.
   if (findChromium() === null) return "skipped: no Chromium";
-  return nodeTests("e2e", 2, true);
+  const close = await sharedChromium();
+  try {
+    return await nodeTests("e2e", 2, true);
+  } finally {
+    await close();
+  }
 }
 
 /** In short: what they print is no measurement. */
@@ -289,9 +294,9 @@ async function runAll() {
     await Promise.all(
       LANES.map((lane) =>
         runLane(
-          lane.steps.filter((step) => steps.includes(step)),
+          lane.filter((step) => steps.includes(step)),
           results,
-          ({ name }) => apart(name, lane.priority),
+          ({ name, compiles }) => apart(name, compiles ? PATIENT : 0),
         ),
       ),
     );

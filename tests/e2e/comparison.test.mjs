@@ -1,8 +1,7 @@
 // A comparison of models on the page: carried out, cancelled, shown, saved and opened again.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { describe, it } from "node:test";
-import { barriers, draws, openedSite, pictures, ready, saved, seldom } from "./site.mjs";
+import { barriers, bytesOf, draws, openedSite, pictures, ready, saved, seldom } from "./site.mjs";
 
 /** Small enough for a test: three trials at 15 frames a second, few iterations. */
 const SMALL = "view=compare&models=vcgpdm,vgpdm,dmp-discrete,dmp-rhythmic&ips=6&fps=15&latent=2&steps=15";
@@ -302,7 +301,7 @@ describe("a comparison of models", () => {
       for (const kind of ["CSV", "PNG"]) {
         const button = page.getByRole("button", { name: `${kind}: ${figure}` });
         const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
-        const content = await readFile(await download.path());
+        const content = await bytesOf(download);
         assert.match(download.suggestedFilename(), kind === "CSV" ? /\.csv$/ : /\.png$/);
         if (kind === "CSV") {
           const [first, ...rows] = content

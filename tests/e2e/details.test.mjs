@@ -1,12 +1,11 @@
 // The tab Numbers: the kernels of a model and the channels of the motion on the stage, compared with the npm
 // package.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { readFileSync } from "node:fs";
 import { describe, it } from "node:test";
 import { builtPackage } from "../../scripts/package.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { barriers, openPanel, openedSite, ready, seldom } from "./site.mjs";
+import { barriers, bytesOf, openPanel, openedSite, ready, seldom } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 const { Model } = builtPackage();
@@ -52,7 +51,7 @@ describe("the tab Numbers", () => {
         page.waitForEvent("download"),
         page.getByTestId("save-angles").click(),
       ]);
-      const rows = (await readFile(await file.path(), "utf8")).trim().split("\r\n");
+      const rows = (await bytesOf(file)).toString("utf8").trim().split("\r\n");
       return {
         header: rows[0]?.split(",") ?? [],
         rows: rows.slice(1).map((row) => row.split(",").map(Number)),

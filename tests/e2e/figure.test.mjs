@@ -90,7 +90,8 @@ async function open(path = "", options = {}) {
     async atRest() {
       let last = await canvas.screenshot();
       await soon(async () => {
-        await page.waitForTimeout(400);
+        // A busy machine may draw the finer picture late.
+        await page.waitForTimeout(1000);
         const next = await canvas.screenshot();
         const same = next.equals(last);
         last = next;

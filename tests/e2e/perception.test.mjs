@@ -7,6 +7,7 @@ import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
 import { answersOf } from "./answers.mjs";
 import {
+  bytesOf,
   barriers,
   changes,
   draws,
@@ -95,7 +96,7 @@ async function savedFigure(
     page.getByRole("button", { name: `${kind}: ${heading}` }).click(),
     page.waitForTimeout(120),
   ]);
-  return readFileSync(await download.path());
+  return bytesOf(download);
 }
 
 /** The rows of a figure's CSV, the titles first. */

@@ -1,7 +1,7 @@
 // The built page in a real browser, served from a sub-folder as on a university's web space.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { readFile } from "node:fs/promises";
+import { buffer } from "node:stream/consumers";
 import { after, afterEach, before } from "node:test";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
@@ -331,12 +331,16 @@ export async function soon(check, seconds = 10) {
   }
 }
 
+/** The bytes of a saved file. */
+export const bytesOf = async (/** @type {import("playwright-core").Download} */ download) =>
+  buffer(await download.createReadStream());
+
 /** The file that a button saves; opens the menu of the page's head for its buttons. */
 export async function saved(/** @type {Page} */ page, /** @type {string} */ button) {
   if (await page.locator(`#save-menu [data-testid=${button}]`).count())
     await page.getByTestId("save").click();
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(button).click()]);
-  const bytes = await readFile(await download.path());
+  const bytes = await bytesOf(download);
   return { name: download.suggestedFilename(), text: bytes.toString("utf8"), bytes };
 }
 
