@@ -245,7 +245,11 @@ describe("a live rollout", () => {
     live.drive(0, 0);
     expect([live.moverOf(0)?.kind, live.driven, stage.ghost]).toEqual(["drive", 0, null]);
     live.record(0, recording);
+    const told = vi.fn();
+    const stop = live.on(told);
     live.release(0);
+    stop();
+    expect(told).toHaveBeenCalled();
     await pass(0.5);
     expect([live.moverOf(0), stage.ghost, stage.ghostFrame]).toEqual([null, null, null]);
     const made = changes().slice(1);

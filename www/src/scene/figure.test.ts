@@ -25,3 +25,14 @@ it("draws a ghost as an outline, which no solid body and not the ghost itself is
   for (const { geometry } of [body, rim]) geometry.computeBoundingSphere();
   expect(rim.geometry.boundingSphere!.radius).toBeGreaterThan(body.geometry.boundingSphere!.radius);
 });
+
+it("draws the other parts of a pale figure paler than the part it is about", () => {
+  const opacity = (part: number) => {
+    const style = { kind: "accent", part, opacity: 0.5 } as const;
+    const parts = [{ name: "all", joints: [0, 1] }];
+    const { group } = new FigureView(figure, ["hips", "spine"], parts, pose, style);
+    const [mesh] = group.children.filter((child): child is Mesh => child instanceof Mesh);
+    return (mesh!.material as MeshBasicMaterial).opacity;
+  };
+  expect([opacity(0), opacity(1)]).toEqual([0.5, 0.35 * 0.5]);
+});

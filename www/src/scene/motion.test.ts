@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { chain, distances, findLoop, HERE, placeOnto, poseAt, Walk } from "./motion";
+import { chain, distances, FADE, findLoop, HERE, placeOnto, poseAt, Walk } from "./motion";
 import type { Motion } from "../engine/protocol";
 
 /** Three nodes that swing with a period of 30 frames while the body turns and moves. */
@@ -48,6 +48,12 @@ describe("looping", () => {
     // With three nodes, a small part of the swing can look like a turn: two frames of tolerance.
     const off = ((findLoop(swinging(200)).end + 15) % 30) - 15;
     expect(Math.abs(off)).toBeLessThanOrEqual(2);
+  });
+
+  it("ends early enough for the frames that fade into the next lap", () => {
+    // The pose of frame 0 comes again at frame 180, but only five frames are left after it.
+    const slow = { ...swinging(186), frameTime: 0.1 };
+    expect(findLoop(slow).end).toBeLessThanOrEqual(185 - FADE);
   });
 
   it("has no jump from one lap to the next", () => {
