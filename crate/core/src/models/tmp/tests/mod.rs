@@ -386,12 +386,19 @@ fn an_unusual_partial_trial_gives_no_extreme_prediction() {
     }
 }
 
-#[test]
-fn whitened_frames_have_the_density_of_frames_with_correlated_noise() {
-    let mut trials = problem(2, true);
+/// The trials of [`problem`] without the partial one, the partial one, and the primitives with which learning of the
+/// others begins.
+fn with_partial(seed: u64, rhythmic: bool, primitives: usize) -> (Vec<Trial>, Trial, Posterior) {
+    let mut trials = problem(seed, rhythmic);
     let partial = trials.pop().unwrap();
     let alignment = Alignment::new(&trials, None);
-    let posterior = Posterior::start(&trials, &alignment, &[3, 1], 2, false).unwrap();
+    let posterior = Posterior::start(&trials, &alignment, &[3, 1], primitives, false).unwrap();
+    (trials, partial, posterior)
+}
+
+#[test]
+fn whitened_frames_have_the_density_of_frames_with_correlated_noise() {
+    let (trials, partial, posterior) = with_partial(2, true, 2);
     let correlations = posterior.residual_correlations(&trials, 5);
     let all = DMatrix::from_fn(5, 5, |a, b| correlations[a.abs_diff(b)] + if a == b { 1e-3 } else { 0.0 });
     let trial = PartialTrial::new(&posterior, &trials, &partial).unwrap();
@@ -402,10 +409,7 @@ fn whitened_frames_have_the_density_of_frames_with_correlated_noise() {
 #[test]
 fn no_start_near_that_of_a_partial_trial_is_likelier() {
     for rhythmic in [true, false] {
-        let mut trials = problem(2, rhythmic);
-        let partial = trials.pop().unwrap();
-        let alignment = Alignment::new(&trials, None);
-        let posterior = Posterior::start(&trials, &alignment, &[3, 1], 2, false).unwrap();
+        let (trials, partial, posterior) = with_partial(2, rhythmic, 2);
         let trial = PartialTrial::new(&posterior, &trials, &partial).unwrap();
         let best = trial.best_map().unwrap();
         let most = trial.value(&best).unwrap();

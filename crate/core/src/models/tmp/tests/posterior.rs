@@ -4,10 +4,7 @@ use super::*;
 
 #[test]
 fn on_a_cycle_a_start_one_cycle_later_is_as_likely() {
-    let mut trials = problem(2, true);
-    let partial = trials.pop().unwrap();
-    let alignment = Alignment::new(&trials, None);
-    let posterior = Posterior::start(&trials, &alignment, &[3, 1], 2, false).unwrap();
+    let (trials, partial, posterior) = with_partial(2, true, 2);
     let trial = PartialTrial::new(&posterior, &trials, &partial).unwrap();
     let value = |start: f64| trial.value(&PhaseMap { start, rate: 0.06 }).unwrap();
     assert_relative_eq!(value(0.3), value(1.3), epsilon = 1e-9);
@@ -15,10 +12,7 @@ fn on_a_cycle_a_start_one_cycle_later_is_as_likely() {
 
 #[test]
 fn the_value_of_a_start_is_an_integral_over_the_weights() {
-    let mut trials = problem(3, true);
-    let partial = trials.pop().unwrap();
-    let alignment = Alignment::new(&trials, None);
-    let posterior = Posterior::start(&trials, &alignment, &[3, 1], 1, false).unwrap();
+    let (trials, partial, posterior) = with_partial(3, true, 1);
     let trial = PartialTrial::new(&posterior, &trials, &partial).unwrap();
     let map = PhaseMap { start: 0.2, rate: 0.06 };
     let features = trial.features(&map);
