@@ -2,7 +2,7 @@
 // in its folder (www/src/*/entry.ts). And the largest size of the project: lower it when the project becomes smaller.
 export const budget = {
   /** Lines of product and of tests, and files; `npm test` counts them. */
-  lines: { product: 109_809, tests: 48_594, files: 1_260 },
+  lines: { product: 109_814, tests: 48_597, files: 1_260 },
   firstVisit: 500_000,
   /** Of it what is not wasm, in `npm test`, whose quick wasm comes with more JavaScript. */
   firstScripts: 258_400,

@@ -46,23 +46,32 @@ function settings() {
   return { executablePath, args };
 }
 
-/** Starts the browser, or a connection to the one of `sharedChromium`. */
+/** Imported when it is needed: `npm test` reads this file before the npm packages are installed. */
+const playwright = async () => (await import("playwright-core")).chromium;
+
+/** Starts the browser, or connects to the one of `inOneChromium`. */
 export async function launchChromium() {
-  // Imported here: `npm test` reads this file before the npm packages are installed.
-  const { chromium } = await import("playwright-core");
+  const chromium = await playwright();
   const shared = process.env[SHARED];
   return shared ? chromium.connect(shared) : chromium.launch(settings());
 }
 
-/** Starts one browser for this process and for those that it starts: a start takes more than a second of a core. */
-export async function sharedChromium() {
-  const { chromium } = await import("playwright-core");
+/**
+ * Runs `work` while this process, and those that it starts, share one browser: a start takes more than a second of
+ * a core.
+ * @template T
+ * @param {() => Promise<T>} work
+ */
+export async function inOneChromium(work) {
+  const chromium = await playwright();
   const server = await chromium.launchServer(settings());
   process.env[SHARED] = server.wsEndpoint();
-  return async () => {
+  try {
+    return await work();
+  } finally {
     delete process.env[SHARED];
     await server.close();
-  };
+  }
 }
 
 /**

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { at, env, Failure, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
-import { findChromium, sharedChromium } from "./chromium.mjs";
+import { findChromium, inOneChromium } from "./chromium.mjs";
 import { compileLibrary, compileTests, NATIVE, TESTS } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
 import { checkLines } from "./lines.mjs";
@@ -91,6 +91,7 @@ const RUST_STEPS = [
  * compiles Rust has the lower priority, so that a test in a browser does not wait for the compiler.
  */
 const LANES = [PAGE_STEPS, RUST_STEPS.map((step) => ({ ...step, compiles: true }))];
+/** The lower priority, as for `nice`. */
 const PATIENT = 10;
 const STEPS = LANES.flat();
 
@@ -185,12 +186,7 @@ async function rustInWasm() {
 async function page() {
   // Each file would say the same after it has served the page.
   if (findChromium() === null) return "skipped: no Chromium";
-  const close = await sharedChromium();
-  try {
-    return await nodeTests("e2e", 2, true);
-  } finally {
-    await close();
-  }
+  return inOneChromium(() => nodeTests("e2e", 2, true));
 }
 
 /** In short: what they print is no measurement. */

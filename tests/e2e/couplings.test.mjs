@@ -8,6 +8,7 @@ import {
   barriers,
   choosePreset,
   draws,
+  isMeasured,
   oneVisitor,
   openedSite,
   openPanel,
@@ -31,8 +32,7 @@ const site = openedSite();
 
 /** The measures on the page, once they belong to the present motion. */
 async function measured(/** @type {Page} */ page) {
-  const words = page.locator("[data-testid=measured][data-current=yes]");
-  await words.waitFor();
+  await isMeasured(page);
   const text = async (/** @type {string} */ testId) => {
     const element = page.getByTestId(testId);
     return (await element.count()) > 0 ? element.innerText() : "";

@@ -181,6 +181,21 @@ const cutTexts = (/** @type {Page} */ page) =>
     return found;
   });
 
+/** Fails if the page is wider than the screen, or cuts a text off. */
+async function fits(/** @type {Page} */ page, /** @type {number} */ width, /** @type {string} */ state) {
+  const where = `${state}, ${width} pixels`;
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, where);
+  assert.deepEqual(await cutTexts(page), [], where);
+}
+
+/** As `fits`, at all sizes. */
+async function fitsAll(/** @type {Page} */ page, /** @type {string} */ state) {
+  for (const viewport of SIZES) {
+    await resize(page, viewport);
+    await fits(page, viewport.width, state);
+  }
+}
+
 /** Opens everything that is folded in the open panel. */
 const unfold = (/** @type {Page} */ page) =>
   page.evaluate(() => {
@@ -227,9 +242,7 @@ seldom.describe("the Lab in German", () => {
       assert.match(await page.getByTestId("clock-period-0").innerText(), /^Beine/);
       assert.match(await page.getByTestId("measured").innerText(), /Arme 0,8\d × so weit/);
       german = await wordsOfTabs(page, async (tab) => {
-        const where = `${tab}, ${viewport.width} pixels`;
-        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width, where);
-        assert.deepEqual(await cutTexts(page), [], where);
+        await fits(page, viewport.width, tab);
       });
       await openPanel(page, "none");
     }
@@ -248,13 +261,7 @@ seldom.describe("each view in German", () => {
       const { page } = await site.visit({ ...GERMAN, settings: `view=${view}` });
       await isReady(page);
       const german = new Set(await textsOf(page));
-      for (const viewport of SIZES) {
-        const where = `${viewport.width} x ${viewport.height}`;
-        await resize(page, viewport);
-        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-        assert.equal(wide, viewport.width, where);
-        assert.deepEqual(await cutTexts(page), [], where);
-      }
+      await fitsAll(page, view);
       await resize(page, SIZES[0]);
       await page.getByTestId("language").click();
       await page.getByRole("button", { name: "Help and keys" }).waitFor();
@@ -264,24 +271,17 @@ seldom.describe("each view in German", () => {
   it("runs the perception test in German, and stores its answers as in English", async () => {
     const { page } = await site.visit({ ...GERMAN, settings: "view=perception" });
     await page.getByTestId("begin").and(page.locator(":enabled")).click({ timeout: 30_000 });
-    const fits = async () => {
-      for (const viewport of SIZES) {
-        await resize(page, viewport);
-        const where = `${viewport.width} x ${viewport.height}`;
-        assert.deepEqual(await cutTexts(page), [], where);
-      }
-    };
     const pages = [
       ["consent", "freiwillig", "Ich bin einverstanden"],
       ["instructions", "Pfeiltaste", "Beginnen"],
     ];
     for (const [name = "", text = "", button = ""] of pages) {
       await page.getByTestId(`page-${name}`).getByText(text).waitFor({ timeout: 30_000 });
-      await fits();
+      await fitsAll(page, name);
       await page.getByTestId("run").getByRole("button", { name: button }).click();
     }
     await page.getByText("Auf welcher Seite").waitFor({ timeout: 30_000 });
-    await fits();
+    await fitsAll(page, "trial");
     await page.getByRole("button", { name: "Links" }).click();
     await page.getByText("1 von 60").first().waitFor();
     await page.getByRole("button", { name: "Verlassen" }).click();

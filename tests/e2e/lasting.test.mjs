@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { it } from "node:test";
 import { setTimeout } from "node:timers/promises";
 import { bvh } from "./clips.mjs";
-import { drop, openPanel, openedSite, ready, saved, seldom, soon } from "./site.mjs";
+import { drop, isMeasured, openPanel, openedSite, ready, saved, seldom, soon } from "./site.mjs";
 
 const site = openedSite();
 
@@ -23,7 +23,7 @@ seldom.describe("the worker that shows the model", () => {
     await ready(page);
     const model = await saved(page, "save-model");
     await page.getByTestId("coupling-0-1").fill("1.5");
-    await page.locator("[data-testid=measured][data-current=yes]").waitFor();
+    await isMeasured(page);
     const motion = await saved(page, "save-motion");
 
     const names = await Promise.all(page.workers().map(nameOf));
@@ -33,7 +33,7 @@ seldom.describe("the worker that shows the model", () => {
     assert.deepEqual(await saved(page, "save-model"), model);
     assert.deepEqual(await saved(page, "save-motion"), motion);
     await page.getByTestId("coupling-0-1").fill("2.5");
-    await page.locator("[data-testid=measured][data-current=yes]").waitFor();
+    await isMeasured(page);
     assert.notEqual((await saved(page, "save-motion")).text, motion.text);
     // A clip is written by another worker.
     await openPanel(page, "learn");

@@ -6,6 +6,7 @@ import {
   barriers,
   barriersBy,
   choosePreset,
+  isMeasured,
   often,
   oneVisitor,
   openPanel,
@@ -175,7 +176,7 @@ describe("the picture of the Lab", () => {
       await resize(page, { width, height });
       for (const preset of ["untrained-advice", "as-learned"]) {
         await choosePreset(page, preset);
-        await page.locator("[data-testid=measured][data-current=yes]").waitFor();
+        await isMeasured(page);
         assert.deepEqual(await cut(page, ".plot, pg-coupling, .measured, [data-testid=train]"), [], preset);
       }
       const words = await wordsOn(page);

@@ -230,6 +230,10 @@ const isExpanded = async (/** @type {import("playwright-core").Locator} */ butto
 export const choosePreset = (/** @type {Page} */ page, /** @type {string} */ id) =>
   page.getByTestId("preset").selectOption(id);
 
+/** Waits until the Lab has measured the motion on its stage. */
+export const isMeasured = (/** @type {Page} */ page) =>
+  page.locator("[data-testid=measured][data-current=yes]").waitFor();
+
 /** Loads the page again as a new visitor of this browser, not as a reload of the tab. */
 export async function revisit(/** @type {Page} */ page) {
   await page.evaluate(() => sessionStorage.clear());

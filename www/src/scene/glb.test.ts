@@ -91,7 +91,7 @@ it("opens in three's own loader with the same places, for each up axis of the BV
   // Four bones with eight triangles each, and with one bone for each corner.
   const skin = scene.getObjectByProperty("type", "SkinnedMesh") as SkinnedMesh;
   expect(skin).toMatchObject({ geometry: { attributes: { position: { count: 96 } } } });
-  // No node has x < 0: what is there is half the width of the widest bone, that of 45 cm.
+  // All nodes have x >= 0, so only the thickness of the bones reaches below 0. The thickest is 45 cm long.
   skin.geometry.computeBoundingBox();
   const { x } = skin.geometry.boundingBox!.min;
   expect(x).toBeLessThan(-0.05 * 45);
